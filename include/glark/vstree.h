@@ -145,14 +145,14 @@ class GLARK_EXPORT Tree {
 struct NormalOptions {
   unsigned neighbours = 16;  // 3 to 256
   // The position of the scanner, to which normals point. Without it, normals agree with their neighbours, and each part
-  // points up: at its highest level place, or on the whole if it is an open sheet.
+  // points up: at its highest place that is about level, or on the whole if it is an open sheet.
   const std::array<float, 3>* scanner = nullptr;
   unsigned threads = 0;  // as in Options
 };
 
 // Returns unit normals: [3 * points]. Normals in points.normals are kept. Each other normal is the direction in which
-// the nearest neighbours extend least, without those that are clearly on the other side of a thin wall or of a sharp
-// edge. Samples at one position count once. With fewer than three positions, or positions on a line, it is zero.
+// the nearest neighbours extend least. Neighbours that are clearly beyond a thin wall or a sharp edge do not count.
+// Samples at one position count once. With fewer than three positions, or positions on a line, the normal is zero.
 // Source: H. Hoppe et al., Surface Reconstruction from Unorganized Points, 1992. Errors: as Tree.
 GLARK_EXPORT std::vector<float> estimate_normals(const PointSet& points, const NormalOptions& options = {});
 

@@ -67,6 +67,38 @@ TEST(EstimatedNormals, PointOutOfThinWalls) {
   }
 }
 
+// Planes that join the two sides of a wall are found by the neighbours. Without that, .3 % of the normals are wrong.
+TEST(EstimatedNormals, OfWallsAreMendedByNeighbours) {
+  std::size_t wrong = 0, count = 0;
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    const Shape shape = thin_box(100, 1.5F, seed);
+    const std::vector<float> normals = estimate_normals({.positions = shape.positions});
+    for (std::size_t i = 0; i < normals.size(); i += 3) {
+      if (std::abs(shape.positions[i] - 50) > 45 || std::abs(shape.positions[i + 1] - 50) > 45) continue;
+      wrong += std::abs(normals[i + 2]) < 0.866F ? 1 : 0;
+      ++count;
+    }
+  }
+  EXPECT_LT(static_cast<double>(wrong), 0.0023 * static_cast<double>(count));
+}
+
+// Most of a landscape faces up, also if a roof, whose side is a guess, is its highest place.
+TEST(EstimatedNormals, OfALandscapeWithARoofPointUp) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<float> share;
+  for (const float height : {1.2F, 1.6F, 2.0F}) {
+    SCOPED_TRACE(height);
+    std::vector<float> positions;
+    for (int i = 0; i < 6400; ++i) positions.insert(positions.end(), {80 * share(random), 80 * share(random), 0});
+    for (int i = 0; i < 400; ++i)
+      positions.insert(positions.end(), {30 + 20 * share(random), 30 + 20 * share(random), height});
+    const std::vector<float> normals = estimate_normals({.positions = positions});
+    std::size_t up = 0;
+    for (std::size_t i = 2; i < normals.size(); i += 3) up += normals[i] > 0 ? 1 : 0;
+    EXPECT_GT(up, 6200U);
+  }
+}
+
 // Two scans of one surface that are less than a spacing apart are no wall.
 TEST(EstimatedNormals, OfTwoLayersAgree) {
   for (const double apart : {0.25, 0.5, 0.75}) {

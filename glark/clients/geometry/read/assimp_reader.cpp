@@ -133,21 +133,25 @@ class Scene {
   const ReadOptions& options_;
 };
 
-// The next line of an OFF file that is more than a comment, without its comment; or nothing at the end.
-std::optional<std::string> off_line(Input& input) {
+// Returns the next line of an OFF file that is more than a comment, without its comment; or nothing at the end. It is
+// valid until the next line is read.
+std::optional<std::string_view> off_line(Input& input) {
   std::string_view line;
   while (input.line(line)) {
     line = line.substr(0, line.find('#'));
-    if (line.find_first_not_of(" \t\r") != std::string_view::npos) return std::string(line);
+    if (line.find_first_not_of(" \t\r") != std::string_view::npos) return line;
   }
   return std::nullopt;
 }
 
 // Throws if an index of the line of a face is no whole number. Assimp cuts off its fraction.
-void check_off_face(const std::string& name, const std::string& line, std::size_t face) {
-  std::istringstream words{line};
-  std::string word;
-  for (std::size_t i = 0, count = 0; i <= count && words >> word; ++i) {
+void check_off_face(const std::string& name, std::string_view line, std::size_t face) {
+  constexpr std::string_view space = " \t\r";
+  for (std::size_t i = 0, count = 0; i <= count; ++i) {
+    line.remove_prefix(std::min(line.find_first_not_of(space), line.size()));
+    if (line.empty()) return;
+    const std::string_view word = line.substr(0, line.find_first_of(space));
+    line.remove_prefix(word.size());
     std::size_t number = 0;
     const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
     if (error != std::errc{} || end != word.data() + word.size())
@@ -166,9 +170,9 @@ void check_off(const std::string& name, std::span<const char> bytes) {
   std::vector<double> counts;
   std::size_t first = 0;  // 1 in nOFF, where the counts follow a dimension
   while (counts.size() < first + 2) {
-    const std::optional<std::string> line = off_line(input);
+    const std::optional<std::string_view> line = off_line(input);
     if (!line) return;
-    std::istringstream words{*line};
+    std::istringstream words{std::string(*line)};
     std::string word;
     while (words >> word) {
       if (word.find("OFF") == std::string::npos)
@@ -186,7 +190,7 @@ void check_off(const std::string& name, std::span<const char> bytes) {
         name, points, faces));
   for (double point = 0; point < points; ++point) off_line(input);
   for (std::size_t face = 0; static_cast<double>(face) < faces; ++face) {
-    const std::optional<std::string> line = off_line(input);
+    const std::optional<std::string_view> line = off_line(input);
     if (!line) return;  // Assimp says what is missing
     check_off_face(name, *line, face);
   }

@@ -11,6 +11,7 @@
 #include "glark/clients/vstree/normals/neighbours.h"
 #include "glark/clients/vstree/normals/orientation.h"
 #include "glark/clients/vstree/normals/plane_fit.h"
+#include "glark/clients/vstree/normals/trust.h"
 #include "glark/clients/vstree/tree/cells.h"
 
 namespace glark::vstree {
@@ -84,6 +85,13 @@ Places places_of(std::span<const Float4> points) {
   return places;
 }
 
+void face(Float4 scanner, Places& places) {
+  for (std::size_t i = 0; i < places.positions.size(); ++i) {
+    if (!places.given[i] && dot(places.normals[i], scanner - places.positions[i]) < 0)
+      places.normals[i] = -places.normals[i];
+  }
+}
+
 void estimate(Places& places, const Cube& cube, const NormalOptions& options, const Workers& workers) {
   const std::size_t count = places.positions.size();
   const std::size_t each = std::min<std::size_t>(options.neighbours, count);
@@ -94,15 +102,13 @@ void estimate(Places& places, const Cube& cube, const NormalOptions& options, co
         places.normals[i] = fit_normal(places.positions, std::span(neighbours).subspan(i * each, each));
     }
   });
+  const std::vector<float> trust = trust_in(places.normals, places.positions, neighbours, each, workers);
   if (options.scanner == nullptr) {
-    orient(places.positions, places.normals, neighbours, each, places.given, workers);
-    return;
+    orient(places.positions, places.normals, neighbours, each, trust, places.given, workers);
+  } else {
+    face(cube.inside(options.scanner->data()), places);
   }
-  const Float4 scanner = cube.inside(options.scanner->data());
-  for (std::size_t i = 0; i < count; ++i) {
-    if (!places.given[i] && dot(places.normals[i], scanner - places.positions[i]) < 0)
-      places.normals[i] = -places.normals[i];
-  }
+  mend_doubtful(places.normals, places.positions, neighbours, each, trust, places.given, workers);
 }
 
 }  // namespace
@@ -110,8 +116,9 @@ void estimate(Places& places, const Cube& cube, const NormalOptions& options, co
 std::vector<float> estimate_normals(const PointSet& points, const NormalOptions& options) {
   const Workers workers(options.threads);
   check(points, workers);
-  if (options.neighbours < 3 || options.neighbours > 256) {
-    throw Error(Element::option, 0, fmt::format("neighbours is {}; 3 to 256 are possible", options.neighbours));
+  if (options.neighbours < 3 || options.neighbours > most_neighbours) {
+    throw Error(Element::option, 0,
+                fmt::format("neighbours is {}; 3 to {} are possible", options.neighbours, most_neighbours));
   }
   if (options.scanner != nullptr && !std::ranges::all_of(*options.scanner, [](float x) { return std::isfinite(x); })) {
     throw Error(Element::option, 0, "scanner is not finite; give its position in the space of the points");

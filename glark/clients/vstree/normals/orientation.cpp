@@ -8,7 +8,6 @@
 
 #include "glark/clients/vstree/normals/agreement.h"
 #include "glark/clients/vstree/normals/signed_parts.h"
-#include "glark/clients/vstree/normals/trust.h"
 #include "glark/clients/vstree/normals/upright.h"
 
 namespace glark::vstree {
@@ -48,7 +47,7 @@ struct Vote {
   std::uint64_t parts() const { return std::uint64_t{a} << 32 | b; }
 };
 
-// Adds up the votes about the same parts.
+// Adds up the votes about the same two parts.
 void add_up(std::vector<Vote>& votes) {
   std::stable_sort(votes.begin(), votes.end(), [](const Vote& p, const Vote& q) { return p.parts() < q.parts(); });
   std::size_t count = 0;
@@ -156,7 +155,7 @@ class Orientation {
     }
   }
 
-  // Neighbours in different parts.
+  // Returns the pairs of neighbours that are in different parts.
   std::vector<Pair> pairs_between_parts() {
     std::vector<Pair> result;
     for (std::uint32_t i = 0; i < points_.size(); ++i) {
@@ -208,13 +207,11 @@ class Orientation {
 }  // namespace
 
 void orient(std::span<const Float4> points, std::span<Float4> normals, std::span<const std::uint32_t> neighbours,
-            std::size_t each, const std::vector<bool>& given, const Workers& workers) {
-  const std::vector<float> trust = trust_in(normals, points, neighbours, each, workers);
+            std::size_t each, std::span<const float> trust, const std::vector<bool>& given, const Workers& workers) {
   const std::vector<bool> reversed = Orientation(points, normals, neighbours, each, trust, workers).reversed(given);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (reversed[i]) normals[i] = -normals[i];
   }
-  mend_doubtful(normals, points, neighbours, each, trust, given, workers);
 }
 
 }  // namespace glark::vstree

@@ -4,8 +4,8 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <vector>
 
 namespace glark::vstree {
 namespace {
@@ -53,7 +53,7 @@ class Sums {
 
 class Fit {
  public:
-  Fit(std::span<const Float4> points, std::span<const std::uint32_t> which) : offsets_(which.size()) {
+  Fit(std::span<const Float4> points, std::span<const std::uint32_t> which) : offsets_(storage_.data(), which.size()) {
     for (std::size_t i = 0; i < which.size(); ++i) offsets_[i] = points[which[i]] - points[which[0]];
     band_ = band * std::sqrt(dot(offsets_.back(), offsets_.back()));
   }
@@ -126,7 +126,8 @@ class Fit {
     return best;
   }
 
-  std::vector<Float4> offsets_;
+  std::array<Float4, most_neighbours> storage_;  // no allocation for each sample
+  std::span<Float4> offsets_;                    // from the sample to its neighbours
   float band_ = 0;
 };
 

@@ -13,8 +13,10 @@ namespace glark::vstree {
 
 using namespace common;  // Float4
 
+inline constexpr std::size_t most_neighbours = 256;
+
 // Returns the unit normal at the first of the samples `which`, or zero if they lie on a line. The others are its
-// neighbours, the nearest first.
+// neighbours, the nearest first, at most `most_neighbours` with the sample.
 //
 // Where the neighbours lie near to one plane, this is the direction in which they extend least. Otherwise some may lie
 // on the other side of a thin wall, or beyond a sharp edge. Then planes through three near samples are tried, and the

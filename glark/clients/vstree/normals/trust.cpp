@@ -44,7 +44,7 @@ std::vector<float> trust_in(std::span<const Float4> normals, std::span<const Flo
 void mend_doubtful(std::span<Float4> normals, std::span<const Float4> points, std::span<const std::uint32_t> neighbours,
                    std::size_t each, std::span<const float> trust, const std::vector<bool>& given,
                    const Workers& workers) {
-  // Only trusted normals are read, and only doubtful ones are written. So the threads do not meet.
+  // Only trusted normals are read, and only doubtful ones are written. So no thread reads what another one writes.
   workers.each(points.size(), grain, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (given[i] || trust[i] > doubtful) continue;
