@@ -7,8 +7,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <map>
 #include <random>
+#include <utility>
 #include <vector>
 
 namespace glark::common::test {
@@ -75,6 +78,36 @@ TEST(CutSheets, SkipsRegularVerticesWithTheSameResult) {
     EXPECT_EQ(cut_sheets(some, points, irregular), cut_sheets(same, points, all));
     EXPECT_EQ(some, same);
   }
+}
+
+int edges_of_more_than_two(const Indices& triangles) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> counts;
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+    ++counts[std::minmax(triangles[i], triangles[i / 3 * 3 + (i + 1) % 3])];
+  return static_cast<int>(std::ranges::count_if(counts, [](const auto& edge) { return edge.second > 2; }));
+}
+
+// Which triangles of an edge belong to one sheet is told by the edges beside it, and those may have the same question.
+TEST(CutSheets, PartsTetrahedraThatShareSeveralEdges) {
+  int shared = 0;
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<float> coordinate;
+    std::vector<Float4> points;
+    for (int i = 0; i < 7; ++i) points.push_back(Float4{coordinate(random), coordinate(random), coordinate(random), 0});
+    Indices triangles;
+    for (int i = 0; i < 4; ++i) {
+      Indices v{0, 1, 2, 3, 4, 5, 6};
+      std::ranges::shuffle(v, random);
+      triangles.insert(triangles.end(), {v[0], v[1], v[2], v[0], v[3], v[1], v[1], v[3], v[2], v[2], v[3], v[0]});
+    }
+    shared += edges_of_more_than_two(triangles);
+    const Indices originals = cut_sheets(triangles, points, irregular_vertices(triangles, points.size()));
+    ASSERT_EQ(edges_of_more_than_two(triangles), 0) << "seed " << seed;
+    for (std::size_t i = 0; i < points.size(); ++i) ASSERT_EQ(originals[i], i);
+    ASSERT_LE(*std::ranges::max_element(originals), 6U);
+  }
+  EXPECT_GT(shared, 300);
 }
 
 }  // namespace

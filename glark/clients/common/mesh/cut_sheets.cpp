@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <compare>
 #include <numeric>
+#include <utility>
 
 #include "glark/clients/common/disjoint_sets.h"
 #include "glark/clients/common/mesh/half_edges.h"
@@ -30,20 +31,34 @@ class Cut {
 
   std::vector<std::uint32_t> run() {
     const std::vector<HalfEdge> half_edges = at_irregular_vertices();
-    std::vector<std::vector<std::uint32_t>> shared;  // edges of more than two triangles
     for (std::size_t begin = 0; begin < half_edges.size();) {
       std::size_t end = begin + 1;
       while (end < half_edges.size() && half_edges[end].edge == half_edges[begin].edge) ++end;
       if (end - begin == 2) {
         join(half_edges[begin].corner, half_edges[begin + 1].corner);
       } else if (end - begin > 2) {
-        std::vector<std::uint32_t>& edge = shared.emplace_back();
+        std::vector<std::uint32_t>& edge = shared_.emplace_back();
         for (std::size_t i = begin; i < end; ++i) edge.push_back(half_edges[i].corner);
       }
       begin = end;
     }
-    for (const std::vector<std::uint32_t>& edge : shared) stitch(edge);
+    for (const std::vector<std::uint32_t>& edge : shared_) stitch(edge);
     return number();
+  }
+
+  // Whether an edge of more than two triangles has still more than two. When it was stitched, edges beside it did not
+  // tell yet which of its triangles belong to one sheet.
+  bool is_incomplete() const {
+    return std::ranges::any_of(shared_, [&](const std::vector<std::uint32_t>& edge) {
+      std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;
+      for (const std::uint32_t corner : edge)
+        ends.emplace_back(std::minmax(triangles_[corner], triangles_[next_corner(corner)]));
+      std::ranges::sort(ends);
+      for (std::size_t i = 2; i < ends.size(); ++i) {
+        if (ends[i] == ends[i - 2]) return true;
+      }
+      return false;
+    });
   }
 
  private:
@@ -139,13 +154,31 @@ class Cut {
   std::span<const Float4> points_;
   std::span<const std::uint8_t> irregular_;
   DisjointSets corners_;
+  std::vector<std::vector<std::uint32_t>> shared_;  // the half-edges of each edge of more than two triangles
 };
 
 }  // namespace
 
 std::vector<std::uint32_t> cut_sheets(std::vector<std::uint32_t>& triangles, std::span<const Float4> points,
                                       std::span<const std::uint8_t> irregular) {
-  return Cut(triangles, points, irregular).run();
+  constexpr int most_rounds = 4;
+  Cut cut(triangles, points, irregular);
+  std::vector<std::uint32_t> originals = cut.run();
+  bool again = cut.is_incomplete();
+  for (int round = 1; again && round < most_rounds; ++round) {
+    std::vector<Float4> all;
+    std::vector<std::uint8_t> flags;
+    for (const std::uint32_t original : originals) {
+      all.push_back(points[original]);
+      flags.push_back(irregular[original]);
+    }
+    Cut next(triangles, all, flags);
+    std::vector<std::uint32_t> copied = next.run();
+    again = next.is_incomplete() && copied.size() > originals.size();
+    for (std::uint32_t& vertex : copied) vertex = originals[vertex];
+    originals = std::move(copied);
+  }
+  return originals;
 }
 
 void move_apart(std::span<Float4> points, std::span<const std::uint32_t> triangles,

@@ -96,10 +96,11 @@ void estimate(Places& places, const Cube& cube, const NormalOptions& options, co
   const std::size_t count = places.positions.size();
   const std::size_t each = std::min<std::size_t>(options.neighbours, count);
   const std::vector<std::uint32_t> neighbours = nearest(places.positions, each, workers);
+  const float noise = median_noise(places.positions, neighbours, each);
   workers.each(count, 4096, [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
       if (!places.given[i])
-        places.normals[i] = fit_normal(places.positions, std::span(neighbours).subspan(i * each, each));
+        places.normals[i] = fit_normal(places.positions, std::span(neighbours).subspan(i * each, each), noise);
     }
   });
   const std::vector<float> trust = trust_in(places.normals, places.positions, neighbours, each, workers);

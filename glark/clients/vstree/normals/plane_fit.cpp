@@ -6,18 +6,23 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <vector>
 
 namespace glark::vstree {
 namespace {
 
 constexpr std::size_t least_neighbours = 12;  // fewer do not show which of them are on another side
 constexpr float flat = 0.02F;                 // the flatness of neighbours that lie near to one plane
+constexpr float two_sided = 0.1F;             // the flatness of neighbours on two sides; curvature has less
 constexpr std::size_t near = 7;               // neighbours whose planes are tried
 constexpr float band = 0.05F;                 // the height over a plane that counts as on it, relative to the radius
 constexpr std::size_t least_on_plane = 7;     // samples
-constexpr float clear = 0.1F;  // their root mean square height, relative to the band; noise fills the band
-constexpr float reach = 1.5F;  // the height up to which a sample has weight, relative to the band
-constexpr int rounds = 3;      // of fitting a plane to the samples near it
+constexpr float clear = 0.1F;        // their root mean square height, relative to the band; noise fills the band
+constexpr float noise_band = 2.5F;   // the band of noisy samples, relative to the noise
+constexpr float widest_band = 0.3F;  // relative to the radius; more noise hides the two sides
+constexpr float better = 0.75F;      // the misfit of the plane of one side, relative to that of all samples
+constexpr float reach = 1.5F;        // the height up to which a sample has weight, relative to the band
+constexpr int rounds = 3;            // of fitting a plane to the samples near it
 
 struct Plane {
   Float4 point{}, normal{};
@@ -55,14 +60,31 @@ class Fit {
  public:
   Fit(std::span<const Float4> points, std::span<const std::uint32_t> which) : offsets_(storage_.data(), which.size()) {
     for (std::size_t i = 0; i < which.size(); ++i) offsets_[i] = points[which[i]] - points[which[0]];
-    band_ = band * std::sqrt(dot(offsets_.back(), offsets_.back()));
+    radius_ = std::sqrt(dot(offsets_.back(), offsets_.back()));
   }
 
-  Float4 normal() const {
+  Float4 normal(float noise) {
     const Plane all = plane_of(offsets_.size());
     if (offsets_.size() < least_neighbours || all.flatness < flat) return all.normal;
+    band_ = band * radius_;
+    if (const Plane plane = best_plane(); is_clear(plane)) return plane.normal;
+    const float wider = noise_band * noise;
+    if (all.flatness < two_sided || wider < band || wider > widest_band) return all.normal;
+    band_ = wider * radius_;
     const Plane plane = best_plane();
-    return is_clear(plane) ? plane.normal : all.normal;
+    return count_on(plane) > least_on_plane && misfit(plane) < better * misfit(all) ? plane.normal : all.normal;
+  }
+
+  // The root mean square height of the nearest samples over their own plane, relative to the radius.
+  float noise() const {
+    const std::size_t count = std::min(near, offsets_.size());
+    const Plane plane = plane_of(count);
+    float squares = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const float height = dot(offsets_[i] - plane.point, plane.normal);
+      squares += height * height;
+    }
+    return count > 3 ? std::sqrt(squares / static_cast<float>(count - 3)) / radius_ : 0;
   }
 
  private:
@@ -85,15 +107,15 @@ class Fit {
     return sum;
   }
 
+  std::size_t count_on(const Plane& plane) const {
+    return static_cast<std::size_t>(
+        std::ranges::count_if(offsets_, [&](Float4 offset) { return square_over(plane, offset) <= 1; }));
+  }
+
   bool is_clear(const Plane& plane) const {
-    std::size_t count = 0;
-    float squares = 0;
-    for (const Float4 offset : offsets_) {
-      const float square = square_over(plane, offset);
-      if (square > 1) continue;
-      ++count;
-      squares += square;
-    }
+    const std::size_t count = count_on(plane);
+    // Each of the others adds 1 to the misfit.
+    const float squares = misfit(plane) - static_cast<float>(offsets_.size() - count);
     return count >= least_on_plane && squares < clear * clear * static_cast<float>(count);
   }
 
@@ -128,13 +150,25 @@ class Fit {
 
   std::array<Float4, most_neighbours> storage_;  // no allocation for each sample
   std::span<Float4> offsets_;                    // from the sample to its neighbours
-  float band_ = 0;
+  float radius_ = 0, band_ = 0;
 };
 
 }  // namespace
 
-Float4 fit_normal(std::span<const Float4> points, std::span<const std::uint32_t> which) {
-  return Fit(points, which).normal();
+float median_noise(std::span<const Float4> points, std::span<const std::uint32_t> neighbours, std::size_t each) {
+  constexpr std::size_t most_examined = 4096;
+  if (each < least_neighbours) return 0;
+  const std::size_t step = std::max<std::size_t>(1, points.size() / most_examined);
+  std::vector<float> noises;
+  for (std::size_t i = 0; i < points.size(); i += step)
+    noises.push_back(Fit(points, neighbours.subspan(i * each, each)).noise());
+  const auto middle = noises.begin() + static_cast<std::ptrdiff_t>(noises.size() / 2);
+  std::ranges::nth_element(noises, middle);
+  return *middle;
+}
+
+Float4 fit_normal(std::span<const Float4> points, std::span<const std::uint32_t> which, float noise) {
+  return Fit(points, which).normal(noise);
 }
 
 }  // namespace glark::vstree
