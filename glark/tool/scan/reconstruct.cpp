@@ -133,10 +133,10 @@ geometry::Geometry mesh_of(reconstruct::Reconstructed result, const std::array<d
 // lost, and edges are collapsed instead. With an error limit, `automatic` collapses wherever the build can.
 geometry::Geometry with_fewer_triangles(const geometry::Geometry& mesh, std::size_t most, unsigned threads) {
   constexpr double least_area = 0.999;
-  geometry::Geometry fewer = simplified(mesh, {.target = most, .threads = threads}).geometry;
+  vstree::SimplifyOptions options{.target = most, .threads = threads, .method = vstree::Method::automatic};
+  geometry::Geometry fewer = simplified(mesh, options).geometry;
   if (geometry::area_of(fewer) >= least_area * geometry::area_of(mesh)) return fewer;
-  const vstree::SimplifyOptions options{
-      .target = most, .threads = threads, .method = vstree::Method::automatic, .max_error = 1};
+  options.max_error = 1;
   return simplified(mesh, options).geometry;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <memory>
 #include <numeric>
 #include <utility>
@@ -124,18 +125,21 @@ std::vector<std::uint32_t> without_repeats(std::vector<std::uint32_t> all, std::
   std::sort(some.begin(), some.end());
   bool any = false;
   for (std::size_t i = 0; i < some.size();) {
-    std::uint32_t* const first = &all[some[i].second];
-    int balance = 1;  // triangles oriented as the first, minus the others
-    std::size_t end = i + 1;
-    for (; end < some.size() && some[end].first == some[i].first; ++end) {
-      std::uint32_t* const other = &all[some[end].second];
-      balance += runs_up(other) == runs_up(first) ? 1 : -1;
-      other[0] = other[1] = other[2] = gone;
+    const bool up = runs_up(&all[some[i].second]);
+    int balance = 0;  // triangles oriented as the first, minus the others
+    std::size_t end = i;
+    for (; end < some.size() && some[end].first == some[i].first; ++end)
+      balance += runs_up(&all[some[end].second]) == up ? 1 : -1;
+    for (int left = std::abs(balance); i < end; ++i) {
+      std::uint32_t* const triangle = &all[some[i].second];
+      const bool stays = left > 0 && (runs_up(triangle) == up) == (balance > 0);
+      if (stays) {
+        --left;
+      } else {
+        triangle[0] = triangle[1] = triangle[2] = gone;
+        any = true;
+      }
     }
-    if (balance < 0) std::swap(first[1], first[2]);
-    if (balance == 0) first[0] = first[1] = first[2] = gone;
-    any |= end - i > 1;
-    i = end;
   }
   if (any) std::erase(all, gone);
   return all;

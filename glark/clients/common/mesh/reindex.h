@@ -20,8 +20,8 @@ std::vector<std::uint32_t> spanning(std::span<const std::uint32_t> triangles, st
 // repeated triangles, and the vertices where sheets touch. So are the ends of edges that have more than two triangles,
 // or two with different orientations. Few vertices are irregular.
 std::vector<std::uint8_t> irregular_vertices(std::span<const std::uint32_t> triangles, std::size_t vertices);
-// Keeps one of several equal triangles. Two triangles with opposite orientations are a fin without thickness. Both are
-// removed, so that a closed mesh stays closed.
+// Two equal triangles with opposite orientations are a fin without thickness. Both are removed. Triangles with one
+// orientation all stay: they belong to sheets that lie on one another. So a closed mesh stays closed.
 std::vector<std::uint32_t> without_repeats(std::vector<std::uint32_t> spanning,
                                            std::span<const std::uint8_t> irregular);
 

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <unordered_map>
+#include <utility>
 
 #include "glark/clients/common/mesh/reindex.h"
+#include "glark/clients/vstree/simplify/boundary.h"
 #include "glark/clients/vstree/simplify/quadtrees.h"
 #include "glark/clients/vstree/simplify/shapes.h"
 #include "glark/clients/vstree/simplify/split_clusters.h"
@@ -161,12 +163,22 @@ Clusters cluster_by_tree(const Surface& surface, const SimplifyOptions& options,
   Records sorted;
   if (options.target != 0 && tree_options.surface) {
     const Nodes layer = construct(surface.points, surface.cube, tree_options, order, workers, &sorted, true);
-    const Quadtrees quadtrees(layer, sorted.all(), static_cast<std::size_t>(tree_options.threshold), workers);
-    return search(surface, options.target, workers, [&](std::size_t aim) {
-      Clusters clusters;
-      clusters.count = quadtrees.cluster(aim, clusters.of);
-      return clusters;
-    });
+    const auto samples = static_cast<std::size_t>(tree_options.threshold);
+    const auto with = [&](const BoundaryPlanes* boundary) {
+      const Quadtrees quadtrees(layer, sorted.all(), samples, boundary, workers);
+      return search(surface, options.target, workers, [&](std::size_t aim) {
+        Clusters clusters;
+        clusters.count = quadtrees.cluster(aim, clusters.of);
+        return clusters;
+      });
+    };
+    Clusters clusters = with(nullptr);
+    std::vector<BoundaryEdge> boundary = boundary_edges(surface, clusters);
+    if (boundary.empty()) return clusters;
+    const BoundaryPlanes planes(surface, boundary);
+    clusters = with(&planes);
+    clusters.boundary = std::move(boundary);
+    return clusters;
   }
   const Nodes tree = construct(surface.points, surface.cube, tree_options, order, workers, &sorted);
   if (options.target == 0) return leaves_of(tree.nodes, order, std::vector<float>(tree.nodes.size()), -1);

@@ -22,11 +22,17 @@ struct Surface {
   Float4 point(std::size_t i) const { return cube.inside(&points.positions[3 * i]); }  // in the unit cube
 };
 
+// An edge with one triangle, where points at one position count as one.
+struct BoundaryEdge {
+  std::uint32_t from, to, opposite;  // points; the last is the third corner of the triangle
+};
+
 struct Clusters {
   std::uint32_t count = 0;
   std::vector<std::uint32_t> of;         // [points]
   std::vector<std::uint32_t> triangles;  // clusters as vertices, without repeats; empty: not known yet
   std::vector<std::uint8_t> irregular;   // [count] the result of irregular_vertices() for these triangles with repeats
+  std::vector<BoundaryEdge> boundary;    // of the surface, at the boundary of these triangles; empty: not known yet
 
   void set_triangles(std::vector<std::uint32_t> spanning);
 };

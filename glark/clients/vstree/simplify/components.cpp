@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <numeric>
 
 #include "glark/clients/common/disjoint_sets.h"
@@ -11,24 +12,30 @@
 namespace glark::vstree {
 namespace {
 
-constexpr std::size_t few = 8;    // parts that may break off a sound result
-constexpr std::size_t small = 8;  // triangles of a part; if parts have fewer on average, their vertices are not shared
+constexpr std::size_t few = 8;             // parts that may break off a sound result
+constexpr std::size_t crumb = 12;          // the most triangles of a part that is only a piece pinched off
+constexpr std::size_t least_share = 1000;  // and it has fewer than one in so many triangles
+constexpr std::size_t large_share = 200;   // a part with more than one in so many triangles does not vanish
+constexpr double most_area = 1.05;         // a sound result has hardly more area than its input
 
-// Counts the parts of triangles that share vertices. `sets` may have joined some vertices before.
-std::size_t count_parts(std::span<const std::uint32_t> triangles, common::DisjointSets& sets) {
-  for (std::size_t t = 0; t + 2 < triangles.size(); t += 3) {
-    sets.join(triangles[t], triangles[t + 1]);
-    sets.join(triangles[t], triangles[t + 2]);
+// The parts of triangles that share vertices.
+struct Parts {
+  std::vector<std::uint32_t> of;       // [vertices]
+  std::vector<std::size_t> triangles;  // of each part; 0 for a vertex without triangles
+
+  // `sets` may have joined some vertices before.
+  Parts(std::span<const std::uint32_t> corners, common::DisjointSets& sets) : of(sets.size()), triangles(sets.size()) {
+    for (std::size_t t = 0; t + 2 < corners.size(); t += 3) {
+      sets.join(corners[t], corners[t + 1]);
+      sets.join(corners[t], corners[t + 2]);
+    }
+    for (std::uint32_t i = 0; i < of.size(); ++i) of[i] = sets.find(i);
+    for (std::size_t t = 0; t + 2 < corners.size(); t += 3) ++triangles[of[corners[t]]];
   }
-  std::vector<bool> is_seen(sets.size());
-  std::size_t count = 0;
-  for (std::size_t t = 0; t + 2 < triangles.size(); t += 3) {
-    const std::uint32_t part = sets.find(triangles[t]);
-    count += is_seen[part] ? 0 : 1;
-    is_seen[part] = true;
+  std::size_t count() const {
+    return triangles.size() - static_cast<std::size_t>(std::ranges::count(triangles, std::size_t{0}));
   }
-  return count;
-}
+};
 
 // Points at one position are one vertex.
 common::DisjointSets joined_by_position(std::span<const float> positions) {
@@ -45,21 +52,97 @@ common::DisjointSets joined_by_position(std::span<const float> positions) {
   return sets;
 }
 
-std::size_t parts_of(const Surface& surface) {
-  common::DisjointSets sets(surface.size());
-  const std::size_t parts = count_parts(surface.triangles, sets);
-  if (parts <= surface.triangles.size() / 3 / small) return parts;
-  // Most triangles have corners of their own. Positions tell which ones are neighbours.
-  common::DisjointSets by_position = joined_by_position(surface.points.positions);
-  return count_parts(surface.triangles, by_position);
+Parts parts_of(std::span<const std::uint32_t> corners, std::span<const float> positions) {
+  common::DisjointSets sets(positions.size() / 3);
+  Parts parts(corners, sets);
+  if (parts.count() == 1) return parts;
+  // Triangles may have corners of their own. Positions tell which ones are neighbours.
+  common::DisjointSets by_position = joined_by_position(positions);
+  return {corners, by_position};
+}
+
+Parts parts_of(const Surface& surface) { return parts_of(surface.triangles, surface.points.positions); }
+Parts parts_of(const Simplified& result) { return parts_of(result.triangles, result.positions); }
+
+template <typename PointOf>
+double area_of(std::span<const std::uint32_t> corners, const PointOf& point) {
+  double area = 0;
+  for (std::size_t t = 0; t + 2 < corners.size(); t += 3) {
+    const Float4 a = point(corners[t]);
+    const Float4 across = cross(point(corners[t + 1]) - a, point(corners[t + 2]) - a);
+    area += std::sqrt(static_cast<double>(dot(across, across)));
+  }
+  return area;
+}
+
+bool has_grown(const Surface& from, const Simplified& result) {
+  const double before = area_of(from.triangles, [&](std::uint32_t i) { return from.point(i); });
+  const double after = area_of(
+      result.triangles, [&](std::uint32_t i) { return from.cube.inside(&result.positions[3 * std::size_t{i}]); });
+  return after > most_area * before;
 }
 
 }  // namespace
 
 bool falls_apart(const Surface& from, const Simplified& result) {
-  common::DisjointSets sets(result.positions.size() / 3);
-  const std::size_t parts = count_parts(result.triangles, sets);
-  return parts > few && parts > 2 * parts_of(from) + few;
+  const std::size_t after = parts_of(result).count();
+  const Parts before = parts_of(from);
+  const std::size_t least = from.triangles.size() / 3 / large_share;
+  const auto large = std::ranges::count_if(before.triangles, [&](std::size_t count) { return count > least; });
+  return (after > few && after > 2 * before.count() + few) || after < static_cast<std::size_t>(large) ||
+         has_grown(from, result);
+}
+
+void drop_pinched_off(const Surface& from, Simplified& result) {
+  const Parts after = parts_of(result);
+  const std::size_t most = std::min(crumb, result.triangles.size() / 3 / least_share);
+  const auto is_crumb = [&](std::uint32_t part) { return after.triangles[part] <= most; };
+  std::vector<bool> is_gone(after.triangles.size());
+  bool any = false;
+  for (std::uint32_t part = 0; part < is_gone.size(); ++part) {
+    is_gone[part] = after.triangles[part] > 0 && is_crumb(part);
+    any = any || is_gone[part];
+  }
+  if (!any) return;
+  const Parts before = parts_of(from);
+  std::vector<bool> has_more(before.triangles.size());  // whether more than crumbs is left of this part of the input
+  const auto each = [&](const auto& use) {
+    for (std::uint32_t i = 0; i < result.representatives.size(); ++i) {
+      const std::uint32_t vertex = result.representatives[i];
+      if (vertex != none) use(before.of[i], after.of[vertex]);
+    }
+  };
+  each([&](std::uint32_t source, std::uint32_t part) { has_more[source] = has_more[source] || !is_crumb(part); });
+  each([&](std::uint32_t source, std::uint32_t part) { is_gone[part] = is_gone[part] && has_more[source]; });
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < result.triangles.size(); t += 3) {
+    if (is_gone[after.of[result.triangles[t]]]) continue;
+    std::copy_n(&result.triangles[t], 3, &result.triangles[kept]);
+    kept += 3;
+  }
+  result.triangles.resize(kept);
+}
+
+void drop_unused_vertices(Simplified& result) {
+  std::vector<std::uint32_t> number(result.positions.size() / 3, none), kept;
+  for (const std::uint32_t i : result.triangles) number[i] = 0;
+  for (std::uint32_t i = 0; i < number.size(); ++i) {
+    if (number[i] == none) continue;
+    number[i] = static_cast<std::uint32_t>(kept.size());
+    kept.push_back(i);
+  }
+  if (kept.size() == number.size()) return;
+  const auto keep = [&](auto& array, std::size_t size) {
+    if (array.empty()) return;
+    for (std::size_t i = 0; i < kept.size(); ++i) std::copy_n(&array[size * kept[i]], size, &array[size * i]);
+    array.resize(size * kept.size());
+  };
+  keep(result.positions, 3);
+  keep(result.normals, 3);
+  keep(result.colours, 3);
+  keep(result.texcoords, 2);
+  for (std::uint32_t& i : result.triangles) i = number[i];
+  for (std::uint32_t& i : result.representatives) i = i == none ? none : number[i];
 }
 
 }  // namespace glark::vstree

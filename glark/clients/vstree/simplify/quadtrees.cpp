@@ -11,7 +11,8 @@
 namespace glark::vstree {
 namespace {
 
-constexpr unsigned most_levels = 6;  // the most levels of a grid, so that its sums fit into the cache
+constexpr float boundary_weight = 16;  // of a plane at the boundary, relative to a sample
+constexpr unsigned most_levels = 6;    // the most levels of a grid, so that its sums fit into the cache
 enum PartKind : std::uint8_t { empty, filled, divided };
 
 // Returns a number from 1 to 2. So some of several equal flat rectangles are divided before others.
@@ -39,6 +40,16 @@ struct alignas(64) Quadtrees::Sums {
     offsets += normal * splat<3>(normal);
     points += point;
   }
+  // Adds a plane without a sample.
+  void add_boundary(Float4 point, Float4 normal) {
+    normal[3] = -dot(normal, point);
+    const Float4 weighted = normal * boundary_weight;
+    squares += normal * weighted;
+    products += without_fourth(weighted * __builtin_shufflevector(normal, normal, 1, 2, 0, 3));
+    offsets += weighted * splat<3>(normal);
+  }
+  // Boundary planes leave out the fourth number of the products, which otherwise is that of the squares.
+  bool has_boundary() const { return squares[3] != products[3]; }
   Sums operator+(const Sums& other) const {
     return {squares + other.squares, products + other.products, offsets + other.offsets, points + other.points};
   }
@@ -51,8 +62,27 @@ struct alignas(64) Quadtrees::Sums {
     const Float4 others = __builtin_shufflevector(products, products, 2, 0, 1, 3);
     const Float4 gradient = squares * x + products * yzx + others * zxy + offsets;
     const float here = dot(x, gradient + offsets) + squares[3];
+    if (has_boundary()) return error_at_boundary(x, here, square);
     const float step = gradient[2] * gradient[2] / (squares[2] + 1e-20F);
     return std::max(0.0F, here - step) + flat_share * square * count();
+  }
+  // The best point moves also along the surface, as to a straight boundary. `here`: the error at the centroid.
+  float error_at_boundary(Float4 centroid, float here, float square) const {
+    Shape shape;
+    shape.radius = std::sqrt(square) / 2;
+    shape.quadric = quadric();
+    shape.quadric.constant = here;
+    for (Float4& row : shape.quadric.rows) row[3] += dot(without_fourth(row), centroid);
+    return std::max(0.0F, shape.quadric.error_at(shape.best_step(most_step_at_boundary))) +
+           flat_share * square * count();
+  }
+  Quadric quadric() const {
+    Quadric result;
+    result.rows[0] = Float4{squares[0], products[0], products[2], offsets[0]};
+    result.rows[1] = Float4{products[0], squares[1], products[1], offsets[1]};
+    result.rows[2] = Float4{products[2], products[1], squares[2], offsets[2]};
+    result.constant = squares[3];
+    return result;
   }
   Shape in_space(const LocalFrame& frame) const {
     const Float4(&c)[3] = frame.columns;
@@ -72,8 +102,10 @@ struct alignas(64) Quadtrees::Sums {
   }
 };
 
-Quadtrees::Quadtrees(const Nodes& layer, std::span<const Record> sorted, std::size_t samples, const Workers& workers)
+Quadtrees::Quadtrees(const Nodes& layer, std::span<const Record> sorted, std::size_t samples,
+                     const BoundaryPlanes* boundary, const Workers& workers)
     : nodes_(layer.nodes),
+      boundary_(boundary),
       samples_(samples),
       most_samples_(samples < 3 ? samples : 4 * samples),
       part_of_(sorted.size()),
@@ -131,6 +163,8 @@ Quadtrees::Rest Quadtrees::fill(const Grid& grid, Sums& whole) {
     const std::uint32_t key = every_second_bit(u >> shift) | (every_second_bit(v >> shift) << 1);
     cells[key].add(point, frame.turn(record.normal));
     part_of_[record.index()] = grid.first_part + key;
+    if (boundary_ == nullptr) continue;
+    boundary_->at(record.index(), [&](Float4 normal) { cells[key].add_boundary(point, frame.turn(normal)); });
   }
   float most = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {

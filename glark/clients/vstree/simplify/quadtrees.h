@@ -11,6 +11,7 @@
 #include <deque>
 #include <vector>
 
+#include "glark/clients/vstree/simplify/boundary.h"
 #include "glark/clients/vstree/tree/construction.h"
 #include "glark/clients/vstree/tree/prune.h"
 
@@ -19,8 +20,9 @@ namespace glark::vstree {
 class Quadtrees {
  public:
   // layer, sorted: a tree that ends at the transition layer, and its records. samples: the target number of samples per
-  // cell. With 1, samples at different positions get different cells.
-  Quadtrees(const Nodes& layer, std::span<const Record> sorted, std::size_t samples, const Workers& workers);
+  // cell. With 1, samples at different positions get different cells. boundary: null if there is none.
+  Quadtrees(const Nodes& layer, std::span<const Record> sorted, std::size_t samples, const BoundaryPlanes* boundary,
+            const Workers& workers);
 
   // Sets the cluster of each sample, by its index. Returns the number of clusters: at most `most`, but at least one.
   std::uint32_t cluster(std::size_t most, std::vector<std::uint32_t>& of) const;
@@ -62,6 +64,7 @@ class Quadtrees {
   void cluster(const Grid& grid, float threshold, std::uint32_t& count, std::vector<std::uint32_t>& of_part) const;
 
   const std::vector<Node>& nodes_;
+  const BoundaryPlanes* boundary_;
   const std::size_t samples_, most_samples_;  // per cell: the target and the maximum
   std::vector<Grid> grids_;                   // those of the transition nodes first, in their order
   std::size_t transition_nodes_ = 0;

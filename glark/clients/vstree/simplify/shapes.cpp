@@ -6,8 +6,12 @@
 #include <limits>
 #include <memory>
 
+#include "glark/clients/vstree/simplify/boundary.h"
+
 namespace glark::vstree {
 namespace {
+
+constexpr float boundary_weight = 6;  // relative to triangles as wide as the cluster
 
 // Returns the shape of the records without its quadric.
 Shape extent_of(std::span<const Record> records) {
@@ -87,8 +91,9 @@ struct alignas(64) Extent {
 // clusters and reads all samples.
 class Sums {
  public:
-  Sums(const Surface& surface, std::span<const Float4> corners, std::span<Extent> extents, std::span<Planes> planes)
-      : surface_(surface), corners_(corners), extents_(extents), planes_(planes) {}
+  Sums(const Surface& surface, std::span<const Float4> corners, std::span<const BoundaryEdge> boundary,
+       std::span<Extent> extents, std::span<Planes> planes)
+      : surface_(surface), corners_(corners), boundary_(boundary), extents_(extents), planes_(planes) {}
 
   // Adds to the clusters first .. last - 1. `is_all`: this range has all clusters.
   template <bool is_all>
@@ -100,7 +105,10 @@ class Sums {
     }
     if (how != Representative::qef) return;
     for (std::uint32_t i = first; i < last; ++i) planes_[i].centroid = extents_[i].centroid();
-    if (!surface_.triangles.empty()) return add_triangles<is_all>(first, size);
+    if (!surface_.triangles.empty()) {
+      add_triangles<is_all>(first, size);
+      return add_boundary(first, size);
+    }
     for (std::size_t i = 0; i < corners_.size(); ++i) {
       const std::uint32_t cluster = cluster_at(corners_[i]);
       if (!is_all && cluster - first >= size) continue;
@@ -142,8 +150,24 @@ class Sums {
     }
   }
 
+  // Adds planes through the edges, perpendicular to their triangles. They keep representatives on the boundary.
+  void add_boundary(std::uint32_t first, std::uint32_t size) {
+    for (const BoundaryEdge& edge : boundary_) {
+      const Float4 &from = corners_[edge.from], &to = corners_[edge.to], &opposite = corners_[edge.opposite];
+      const Float4 along = without_fourth(to - from), normal = boundary_normal(from, to, opposite);
+      if (!(dot(normal, normal) > 0)) continue;
+      const std::uint32_t groups[2] = {cluster_at(from), cluster_at(to)};
+      for (std::size_t k = 0; k < (groups[0] == groups[1] ? 1 : 2); ++k) {
+        if (groups[k] - first >= size) continue;
+        const float weight = boundary_weight * extents_[groups[k]].radius() * std::sqrt(dot(along, along));
+        planes_[groups[k]].add({without_fourth(from), normal * weight, normal});
+      }
+    }
+  }
+
   const Surface& surface_;
   std::span<const Float4> corners_;
+  std::span<const BoundaryEdge> boundary_;
   std::span<Extent> extents_;
   std::span<Planes> planes_;
 };
@@ -181,7 +205,10 @@ Representatives representatives(const Surface& surface, const Clusters& clusters
   });
   std::vector<Extent> extents(clusters.count);
   std::vector<Planes> planes(how == Representative::qef ? clusters.count : 0);
-  Sums sums(surface, {corners.get(), surface.size()}, extents, planes);
+  std::vector<bool> is_at_boundary(clusters.count);
+  for (const BoundaryEdge& edge : clusters.boundary)
+    is_at_boundary[clusters.of[edge.from]] = is_at_boundary[clusters.of[edge.to]] = true;
+  Sums sums(surface, {corners.get(), surface.size()}, clusters.boundary, extents, planes);
   const std::size_t parts = std::clamp<std::size_t>(surface.size() / 25000, 1, workers.count());
   Representatives result{std::vector<Float4>(clusters.count), std::vector<Float4>(clusters.count)};
   workers.each(parts, 1, [&](std::size_t first_part, std::size_t last_part) {
@@ -199,7 +226,7 @@ Representatives representatives(const Surface& surface, const Clusters& clusters
       Shape shape;
       shape.radius = extents[i].radius();
       shape.quadric = planes[i].quadric();
-      result.points[i] += shape.best_step();
+      result.points[i] += shape.best_step(is_at_boundary[i] ? most_step_at_boundary : most_step);
     }
   });
   return result;

@@ -8,6 +8,9 @@
 
 namespace glark::vstree {
 
+// How far a representative may be from the centroid, relative to the radius. At a boundary, it may reach the corner of
+// a cluster whose samples are on one side.
+constexpr float most_step = 0.75F, most_step_at_boundary = 1.25F;
 constexpr float flat_share = 1e-6F;  // the share of the extent in an error, so that flat parts are divided evenly
 
 // The quadric is relative to the centroid.
@@ -23,11 +26,11 @@ struct Shape {
     return quadric.error_at(best_step()) + flat_share * radius * radius * (quadric.weight() + 1e-12F * sum[3]);
   }
   // Returns the step from the centroid to the best point. Planes that are nearly parallel meet far away, as do the
-  // planes of a cone. The error falls along the whole step, so the step may end within the cluster.
-  Float4 best_step() const {
+  // planes of a cone. The error falls along the whole step, so the step may end within the cluster, after a share of the radius.
+  Float4 best_step(float share = most_step) const {
     const Float4 step = quadric.best_point();
     const float square = dot(step, step);
-    const float most = 0.75F * radius;
+    const float most = share * radius;
     return square > most * most ? step * (most / std::sqrt(square)) : step;
   }
 };

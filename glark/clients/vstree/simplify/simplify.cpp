@@ -11,6 +11,7 @@
 #include "glark/clients/common/mesh/reindex.h"
 #include "glark/clients/common/points/point_set.h"
 #include "glark/clients/common/vertex_normals.h"
+#include "glark/clients/vstree/simplify/boundary.h"
 #include "glark/clients/vstree/simplify/clusters.h"
 #include "glark/clients/vstree/simplify/collapse.h"
 #include "glark/clients/vstree/simplify/components.h"
@@ -89,19 +90,22 @@ std::vector<std::uint32_t> compact(std::vector<std::uint32_t>& triangles, std::s
 Simplified cluster_vertices(const Surface& surface, const SimplifyOptions& options, const Workers& workers) {
   const std::span<const std::uint32_t> triangles = surface.triangles;
   Clusters clusters = cluster(surface, options, workers);
+  if (clusters.triangles.empty()) clusters.set_triangles(spanning(triangles, clusters.of, workers));
+  if (clusters.boundary.empty()) clusters.boundary = boundary_edges(surface, clusters);
   const Representatives stand = representatives(surface, clusters, options.representative, workers);
 
   Simplified result;
   std::vector<std::uint32_t> cluster_of(clusters.count);  // for each vertex of the result
   for (std::uint32_t i = 0; i < clusters.count; ++i) cluster_of[i] = i;
   std::vector<Float4> points = stand.points;  // of the vertices
+  bool is_cut = false;
   if (!triangles.empty()) {
-    if (clusters.triangles.empty()) clusters.set_triangles(spanning(triangles, clusters.of, workers));
     result.triangles = std::move(clusters.triangles);
     if (options.cut) {
       cluster_of = cut_sheets(result.triangles, points, clusters.irregular);
       for (std::size_t i = points.size(); i < cluster_of.size(); ++i) points.push_back(Float4(points[cluster_of[i]]));
       move_apart(points, result.triangles, cluster_of, apart);
+      is_cut = cluster_of.size() > clusters.count;
     }
     const std::vector<std::uint32_t> kept = compact(result.triangles, cluster_of.size());
     for (std::size_t i = 0; i < kept.size(); ++i) {  // kept[i] is not below i
@@ -121,6 +125,10 @@ Simplified cluster_vertices(const Surface& surface, const SimplifyOptions& optio
     result.positions.insert(result.positions.end(), {point[0], point[1], point[2]});
   }
   write_attributes(surface, clusters, stand, cluster_of, result);
+  if (is_cut) {
+    drop_pinched_off(surface, result);
+    drop_unused_vertices(result);
+  }
   return result;
 }
 

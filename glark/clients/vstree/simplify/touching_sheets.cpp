@@ -13,6 +13,7 @@
 #include "glark/clients/common/mesh/cut_sheets.h"
 #include "glark/clients/common/mesh/half_edges.h"
 #include "glark/clients/common/mesh/reindex.h"
+#include "glark/clients/vstree/simplify/components.h"
 
 namespace glark::vstree {
 namespace {
@@ -187,28 +188,6 @@ class Parting {
   std::map<Edge, std::uint32_t> given_;  // for a vertex and a sheet: the new vertex
 };
 
-void drop_unused_vertices(Simplified& result) {
-  std::vector<std::uint32_t> number(result.positions.size() / 3, none), kept;
-  for (const std::uint32_t i : result.triangles) number[i] = 0;
-  for (std::uint32_t i = 0; i < number.size(); ++i) {
-    if (number[i] == none) continue;
-    number[i] = static_cast<std::uint32_t>(kept.size());
-    kept.push_back(i);
-  }
-  if (kept.size() == number.size()) return;
-  const auto keep = [&](auto& array, std::size_t size) {
-    if (array.empty()) return;
-    for (std::size_t i = 0; i < kept.size(); ++i) std::copy_n(&array[size * kept[i]], size, &array[size * i]);
-    array.resize(size * kept.size());
-  };
-  keep(result.positions, 3);
-  keep(result.normals, 3);
-  keep(result.colours, 3);
-  keep(result.texcoords, 2);
-  for (std::uint32_t& i : result.triangles) i = number[i];
-  for (std::uint32_t& i : result.representatives) i = i == none ? none : number[i];
-}
-
 }  // namespace
 
 void part_touching_sheets(const Surface& surface, Simplified& result) {
@@ -222,6 +201,7 @@ void part_touching_sheets(const Surface& surface, Simplified& result) {
     edges = places.crowded_edges();
   }
   if (!edges.empty()) Parting(surface, result).run(places, edges);
+  drop_pinched_off(surface, result);
   drop_unused_vertices(result);
 }
 
