@@ -207,6 +207,14 @@ TEST(Collapsed, ByTheAutomaticMethodIfClustersTearAWall) {
             Method::cluster);
 }
 
+TEST(Collapsed, ByTheAutomaticMethodIfClustersJoinParts) {
+  const Shape shape = nested_tori(200);
+  const Simplified few = simplify({{.positions = shape.positions}, shape.triangles}, to(5000, Method::automatic));
+  EXPECT_EQ(few.method, Method::collapse);
+  EXPECT_EQ(parts_of(few), 3U);
+  EXPECT_EQ(edge_faults(few.triangles).boundary, 0U);
+}
+
 double area_of(std::span<const float> positions, std::span<const std::uint32_t> triangles) {
   const auto point = [&](std::uint32_t i) { return common::vector_at(positions, i); };
   double area = 0;

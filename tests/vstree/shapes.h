@@ -12,6 +12,8 @@
 #include <set>
 #include <vector>
 
+#include "glark/clients/common/disjoint_sets.h"
+
 namespace glark::vstree::test {
 
 struct Shape {
@@ -48,6 +50,18 @@ inline Shape torus(std::uint32_t n, float bumps = 0.02F) {
   return shape;
 }
 
+// Tori within one another, nearer than the clusters are wide.
+inline Shape nested_tori(std::uint32_t n) {
+  Shape shape = torus(n, 0);
+  const Shape one = shape;
+  for (const float scale : {0.985F, 0.97F}) {
+    const auto first = static_cast<std::uint32_t>(shape.size());
+    for (const std::uint32_t i : one.triangles) shape.triangles.push_back(first + i);
+    for (const float number : one.positions) shape.positions.push_back(scale * number);
+  }
+  return shape;
+}
+
 // Random samples of the unit sphere.
 inline Shape sphere(std::size_t count, float noise = 0) {
   Shape shape;
@@ -78,6 +92,18 @@ inline EdgeFaults edge_faults(const std::vector<std::uint32_t>& triangles) {
     faults.boundary += edges.count(*edge) == 1 ? 1 : 0;
   }
   return faults;
+}
+
+// The number of parts of triangles that share vertices.
+inline std::size_t parts_of(const Simplified& mesh) {
+  common::DisjointSets sets(mesh.positions.size() / 3);
+  for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
+    sets.join(mesh.triangles[t], mesh.triangles[t + 1]);
+    sets.join(mesh.triangles[t], mesh.triangles[t + 2]);
+  }
+  std::set<std::uint32_t> parts;
+  for (const std::uint32_t vertex : mesh.triangles) parts.insert(sets.find(vertex));
+  return parts.size();
 }
 
 }  // namespace glark::vstree::test

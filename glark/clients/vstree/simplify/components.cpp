@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t few = 8;             // parts that may break off a sound result
 constexpr std::size_t crumb = 12;          // the most triangles of a part that is only a piece pinched off
-constexpr std::size_t least_share = 1000;  // and it has fewer than one in so many triangles
+constexpr std::size_t least_share = 200;  // and it has fewer than one in so many triangles
 constexpr std::size_t large_share = 200;   // a part with more than one in so many triangles does not vanish
 constexpr double most_area = 1.05;         // a sound result has hardly more area than its input
 
