@@ -12,11 +12,11 @@
 namespace glark::vstree {
 namespace {
 
-constexpr std::size_t few = 8;             // parts that may break off a sound result
-constexpr std::size_t crumb = 12;          // the most triangles of a part that is only a piece pinched off
+constexpr std::size_t few = 8;            // parts that may break off a sound result
+constexpr std::size_t crumb = 12;         // the most triangles of a part that is only a piece pinched off
 constexpr std::size_t least_share = 200;  // and it has fewer than one in so many triangles
-constexpr std::size_t large_share = 200;   // a part with more than one in so many triangles does not vanish
-constexpr double most_area = 1.05;         // a sound result has hardly more area than its input
+constexpr std::size_t large_share = 200;  // a part with more than one in so many triangles does not vanish
+constexpr double most_area = 1.05;        // a sound result has hardly more area than its input
 
 // The parts of triangles that share vertices.
 struct Parts {
@@ -104,16 +104,32 @@ void drop_pinched_off(const Surface& from, Simplified& result) {
     any = any || is_gone[part];
   }
   if (!any) return;
-  const Parts before = parts_of(from);
-  std::vector<bool> has_more(before.triangles.size());  // whether more than crumbs is left of this part of the input
-  const auto each = [&](const auto& use) {
-    for (std::uint32_t i = 0; i < result.representatives.size(); ++i) {
-      const std::uint32_t vertex = result.representatives[i];
-      if (vertex != none) use(before.of[i], after.of[vertex]);
+  // Triangles of the input connect crumbs with the rest.
+  std::vector<std::uint8_t> is_in_crumb(from.size());
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const std::uint32_t vertex = result.representatives[i];
+    is_in_crumb[i] = vertex != none && is_gone[after.of[vertex]] ? 1 : 0;
+  }
+  common::DisjointSets connected(after.of.size());
+  std::vector<bool> has_samples(after.of.size());
+  for (std::size_t t = 0; t + 2 < from.triangles.size(); t += 3) {
+    const std::uint32_t* const corners = &from.triangles[t];
+    if ((is_in_crumb[corners[0]] | is_in_crumb[corners[1]] | is_in_crumb[corners[2]]) == 0) continue;
+    std::uint32_t last = none;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t vertex = result.representatives[corners[k]];
+      if (vertex == none) continue;
+      has_samples[after.of[vertex]] = true;
+      if (last != none) connected.join(last, after.of[vertex]);
+      last = after.of[vertex];
     }
-  };
-  each([&](std::uint32_t source, std::uint32_t part) { has_more[source] = has_more[source] || !is_crumb(part); });
-  each([&](std::uint32_t source, std::uint32_t part) { is_gone[part] = is_gone[part] && has_more[source]; });
+  }
+  std::vector<bool> has_more(after.of.size());  // whether more than crumbs is connected
+  for (std::uint32_t part = 0; part < has_more.size(); ++part) {
+    if (!is_crumb(part)) has_more[connected.find(part)] = true;
+  }
+  for (std::uint32_t part = 0; part < is_gone.size(); ++part)
+    is_gone[part] = is_gone[part] && (!has_samples[part] || has_more[connected.find(part)]);
   std::size_t kept = 0;
   for (std::size_t t = 0; t < result.triangles.size(); t += 3) {
     if (is_gone[after.of[result.triangles[t]]]) continue;
