@@ -27,15 +27,54 @@ void keep_one_side(std::vector<Record>& records) {
   if (dot(mean, mean) < common * common) records.clear();
 }
 
+// The height of a sample over a plane, less the part that the curvature of the surface explains. On a quadratic surface,
+// half the slope of the normals gives the height over the plane.
+float flat_height(const Record& record, Float4 centroid, Float4 normal) {
+  return dot(record.point() - centroid, normal + record.normal) / 2;
+}
+
+// Keeps the largest of several layers that face the same way. Layers are no noise: they are farther apart than their
+// samples are from each other.
+void keep_one_layer(std::vector<Record>& records) {
+  constexpr float far = 1.5F;  // the least distance of two layers, relative to the distance of samples
+  Float4 normal{}, centroid{};
+  for (const Record& record : records) {
+    normal += record.normal;
+    centroid += record.point() / static_cast<float>(records.size());
+  }
+  normal = unit(normal);
+  const auto height = [&](const Record& record) { return flat_height(record, centroid, normal); };
+  std::ranges::sort(records, {}, height);
+  double square = 0;  // the mean squared distance from the axis
+  for (const Record& record : records) {
+    const Float4 way = record.point() - centroid;
+    const float along = dot(way, normal);
+    square += static_cast<double>(dot(way, way) - along * along) / static_cast<double>(records.size());
+  }
+  std::size_t begin = 0, best = 0, most = 0;
+  for (std::size_t i = 1; i <= records.size(); ++i) {
+    // A square of the side a has the mean square a^2 / 6.
+    const auto spacing = static_cast<float>(std::sqrt(6 * square / static_cast<double>(i - begin)));
+    if (i < records.size() && height(records[i]) - height(records[i - 1]) < far * spacing) continue;
+    if (i - begin > most) {
+      best = begin;
+      most = i - begin;
+    }
+    begin = i;
+  }
+  records.erase(records.begin() + static_cast<std::ptrdiff_t>(best + most), records.end());
+  records.erase(records.begin(), records.begin() + static_cast<std::ptrdiff_t>(best));
+}
+
 // Returns the mean squared height of the samples over their mean plane, less the part that the curvature of the surface
-// explains. On a quadratic surface, half the slope of the normals gives the height over the plane.
+// explains.
 float roughness(const std::vector<Record>& records) {
   const Moments moments = Moments::of(records);
   const Float4 normal = without_fourth(moments.normal()), centroid = without_fourth(moments.mean);
   float sum = 0;
   float squares = 0;
   for (const Record& record : records) {
-    const float height = dot(record.point() - centroid, normal + record.normal) / 2;
+    const float height = flat_height(record, centroid, normal);
     sum += height;
     squares += height * height;
   }
@@ -84,6 +123,7 @@ double noise_of(const PointSet& points, const Cube& cube, const std::vector<Entr
       records.push_back({cube.inside(&points.positions[index]), unit_normal(&points.normals[index])});
     }
     if (records.size() >= least_samples) keep_one_side(records);
+    if (records.size() >= least_samples) keep_one_layer(records);
     if (records.size() >= least_samples) errors.push_back(roughness(records));
     at = std::max(end, std::min(at + least_samples * stride, entries.size()));
     while (at > end && at < entries.size() && entries[at].key >> shift == entries[at - 1].key >> shift) ++at;
