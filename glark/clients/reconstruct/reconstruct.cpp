@@ -5,11 +5,14 @@
 #include <glark/reconstruct.h>
 
 #include <algorithm>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "glark/clients/common/points/point_set.h"
 #include "glark/clients/reconstruct/density/even_samples.h"
+#include "glark/clients/reconstruct/density/layers.h"
 #include "glark/clients/reconstruct/mesh/refinement.h"
 
 namespace glark::reconstruct {
@@ -65,20 +68,10 @@ class ReconstructError final : public vstree::Error {
   std::string text_;
 };
 
-Reconstructed mesh_of(const PointSet& given, const ReconstructOptions& options) {
-  const Workers workers(options.threads);
-  check(options);
-  check(given, workers);
-  PointSet points = given;
-  std::vector<float> estimated;
-  if (points.normals.empty()) {
-    estimated = vstree::estimate_normals(points, {.threads = options.threads});
-    points.normals = estimated;
-  }
+Reconstructed mesh_of_layer(const PointSet& points, SortedSamples sorted, const ReconstructOptions& options,
+                            const Workers& workers) {
   Reconstructed result;
-  EvenSamples even(points, workers);
-  result.outliers = even.outliers();
-  const Octree octree = octree_of(even.points(), even.take_sorted(), options, workers);
+  const Octree octree = octree_of(points, std::move(sorted), options, workers);
   if (octree.levels.empty()) return result;
   const TransitionLayer layer = transition_layer(octree, options, workers);
   BaseMesh base = base_mesh(contour(layer, octree.finest().level, workers), layer, octree, options, workers);
@@ -92,6 +85,68 @@ Reconstructed mesh_of(const PointSet& given, const ReconstructOptions& options) 
   result.levels = mesh.levels;
   result.triangles = std::move(mesh.triangles);
   write_vertices(mesh, octree.cube, workers, result);
+  return result;
+}
+
+template <typename Number>
+std::vector<Number> chosen(std::span<const Number> all, const std::vector<std::uint32_t>& indices) {
+  std::vector<Number> result;
+  if (all.empty()) return result;
+  result.reserve(3 * indices.size());
+  for (const std::uint32_t i : indices)
+    result.insert(result.end(), &all[3 * std::size_t{i}], &all[3 * std::size_t{i}] + 3);
+  return result;
+}
+
+// Reconstructs one of several layers on its own. The options are relative to all samples.
+void add(const PointSet& all, const Cube& cube, const std::vector<std::uint32_t>& layer, ReconstructOptions options,
+         const Workers& workers, Reconstructed& result) {
+  const std::vector<float> positions = chosen(all.positions, layer), normals = chosen(all.normals, layer);
+  const std::vector<std::uint8_t> colours = chosen(all.colours, layer);
+  const PointSet points{.positions = positions, .normals = normals, .colours = colours};
+  SortedSamples sorted = sort_by_cells(points, workers);
+  const float larger = cube.side * cube.diagonal / (sorted.cube.side * sorted.cube.diagonal);
+  const float share = 3 * static_cast<float>(layer.size()) / static_cast<float>(all.positions.size());
+  options.threshold *= larger;
+  options.error *= larger;
+  options.least_part /= share;
+  const Reconstructed mesh = mesh_of_layer(points, std::move(sorted), options, workers);
+  const auto first = static_cast<std::uint32_t>(result.positions.size() / 3);
+  for (const std::uint32_t i : mesh.triangles) result.triangles.push_back(first + i);
+  const auto append = [](const auto& from, auto& to) { to.insert(to.end(), from.begin(), from.end()); };
+  append(mesh.positions, result.positions);
+  append(mesh.normals, result.normals);
+  append(mesh.colours, result.colours);
+  result.base_vertices += mesh.base_vertices;
+  result.base_triangles += mesh.base_triangles;
+  result.left_out += mesh.left_out;
+  result.area_left_out += share * mesh.area_left_out;
+  result.levels = std::max(result.levels, mesh.levels);
+  result.node_side = std::max(result.node_side, mesh.node_side);
+  result.noise = std::max(result.noise, mesh.noise);
+}
+
+Reconstructed mesh_of(const PointSet& given, const ReconstructOptions& options) {
+  const Workers workers(options.threads);
+  check(options);
+  check(given, workers);
+  PointSet points = given;
+  std::vector<float> estimated;
+  if (points.normals.empty()) {
+    estimated = vstree::estimate_normals(points, {.threads = options.threads});
+    points.normals = estimated;
+  }
+  EvenSamples even(points, workers);
+  SortedSamples sorted = even.take_sorted();
+  Reconstructed result;
+  const std::vector<std::vector<std::uint32_t>> layers = layers_of(even.points(), sorted, workers);
+  if (layers.empty()) {
+    result = mesh_of_layer(even.points(), std::move(sorted), options, workers);
+  } else {
+    for (const std::vector<std::uint32_t>& layer : layers)
+      add(even.points(), sorted.cube, layer, options, workers, result);
+  }
+  result.outliers = even.outliers();
   return result;
 }
 

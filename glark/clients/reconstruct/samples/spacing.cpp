@@ -109,10 +109,14 @@ unsigned level_for_noise(const Occupancy& occupancy) {
   return std::min(static_cast<unsigned>(-std::log2(side_for(occupancy, 2 * least_samples))), cell_levels);
 }
 
-double noise_of(const PointSet& points, const Cube& cube, const std::vector<Entry>& entries, unsigned level) {
+namespace {
+
+// Calls body(records) for cells of the level that have at least `least_samples`, with those of one side.
+template <typename Body>
+void each_side(const PointSet& points, const Cube& cube, const std::vector<Entry>& entries, unsigned level,
+               const Body& body) {
   const unsigned shift = 3 * (cell_levels - level);
   const std::size_t stride = std::max<std::size_t>(1, entries.size() / most_looked_at);
-  std::vector<float> errors;
   std::vector<Record> records;
   for (std::size_t at = 0; at < entries.size();) {
     std::size_t end = at;
@@ -123,15 +127,36 @@ double noise_of(const PointSet& points, const Cube& cube, const std::vector<Entr
       records.push_back({cube.inside(&points.positions[index]), unit_normal(&points.normals[index])});
     }
     if (records.size() >= least_samples) keep_one_side(records);
-    if (records.size() >= least_samples) keep_one_layer(records);
-    if (records.size() >= least_samples) errors.push_back(roughness(records));
+    if (records.size() >= least_samples) body(records);
     at = std::max(end, std::min(at + least_samples * stride, entries.size()));
     while (at > end && at < entries.size() && entries[at].key >> shift == entries[at - 1].key >> shift) ++at;
   }
+}
+
+}  // namespace
+
+double noise_of(const PointSet& points, const Cube& cube, const std::vector<Entry>& entries, unsigned level) {
+  std::vector<float> errors;
+  each_side(points, cube, entries, level, [&](std::vector<Record>& records) {
+    keep_one_layer(records);
+    if (records.size() >= least_samples) errors.push_back(roughness(records));
+  });
   if (errors.empty()) return 0;
   const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
   std::nth_element(errors.begin(), middle, errors.end());
   return std::sqrt(static_cast<double>(*middle));
+}
+
+double share_of_layers(const PointSet& points, const Cube& cube, const std::vector<Entry>& entries, unsigned level) {
+  constexpr std::size_t least_of_another = 4;
+  double cells = 0, layered = 0;
+  each_side(points, cube, entries, level, [&](std::vector<Record>& records) {
+    const std::size_t all = records.size();
+    keep_one_layer(records);
+    ++cells;
+    layered += all - records.size() >= least_of_another ? 1 : 0;
+  });
+  return cells > 0 ? layered / cells : 0;
 }
 
 }  // namespace glark::reconstruct

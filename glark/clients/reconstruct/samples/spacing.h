@@ -30,6 +30,10 @@ double side_for(const Occupancy& occupancy, double aim);
 // `least_samples`.
 double noise_of(const PointSet& points, const Cube& cube, const std::vector<Entry>& entries, unsigned level);
 
+// Returns the share of the cells of the level that have two layers which face the same way. The layers are farther apart
+// than their samples.
+double share_of_layers(const PointSet& points, const Cube& cube, const std::vector<Entry>& entries, unsigned level);
+
 // The level whose cells have about twice as many samples.
 unsigned level_for_noise(const Occupancy& occupancy);
 
