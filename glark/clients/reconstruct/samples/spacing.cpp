@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "glark/clients/common/points/moments.h"
 #include "glark/clients/common/points/point_set.h"
@@ -34,36 +35,53 @@ float flat_height(const Record& record, Float4 centroid, Float4 normal) {
 }
 
 // Keeps the largest of several layers that face the same way. Layers are no noise: they are farther apart than their
-// samples are from each other.
-void keep_one_layer(std::vector<Record>& records) {
-  constexpr float far = 1.5F;  // the least distance of two layers, relative to the distance of samples
+// samples are from each other, and than these are from their layer. Returns whether there are several.
+bool keep_one_layer(std::vector<Record>& records) {
+  constexpr float far = 1.5F;           // the least distance of two layers, relative to the distance of samples
+  constexpr float farther = 3;          // and relative to the heights of a layer's samples
+  constexpr std::ptrdiff_t fewest = 4;  // samples of another layer
   Float4 normal{}, centroid{};
   for (const Record& record : records) {
     normal += record.normal;
     centroid += record.point() / static_cast<float>(records.size());
   }
   normal = unit(normal);
+  std::vector<float> heights;
   const auto height = [&](const Record& record) { return flat_height(record, centroid, normal); };
   std::ranges::sort(records, {}, height);
   double square = 0;  // the mean squared distance from the axis
   for (const Record& record : records) {
+    heights.push_back(height(record));
     const Float4 way = record.point() - centroid;
     const float along = dot(way, normal);
     square += static_cast<double>(dot(way, way) - along * along) / static_cast<double>(records.size());
   }
-  std::size_t begin = 0, best = 0, most = 0;
-  for (std::size_t i = 1; i <= records.size(); ++i) {
+  auto best = heights.begin(), best_end = heights.begin();
+  float gap = std::numeric_limits<float>::max();  // the least distance of two layers
+  for (auto begin = heights.begin(), i = begin + 1; begin != heights.end(); ++i) {
     // A square of the side a has the mean square a^2 / 6.
     const auto spacing = static_cast<float>(std::sqrt(6 * square / static_cast<double>(i - begin)));
-    if (i < records.size() && height(records[i]) - height(records[i - 1]) < far * spacing) continue;
-    if (i - begin > most) {
+    if (i != heights.end() && *i - *(i - 1) < far * spacing) continue;
+    if (i - begin > best_end - best) {
       best = begin;
-      most = i - begin;
+      best_end = i;
     }
+    if (i != heights.end()) gap = std::min(gap, *i - *(i - 1));
     begin = i;
+    if (i == heights.end()) break;
   }
-  records.erase(records.begin() + static_cast<std::ptrdiff_t>(best + most), records.end());
-  records.erase(records.begin(), records.begin() + static_cast<std::ptrdiff_t>(best));
+  if (best_end - best + fewest > heights.end() - heights.begin()) return false;
+  float sum = 0, squares = 0;
+  for (auto i = best; i != best_end; ++i) {
+    sum += *i;
+    squares += *i * *i;
+  }
+  const auto count = static_cast<float>(best_end - best);
+  if (gap < farther * std::sqrt(std::max(0.0F, squares - sum * sum / count) / count)) return false;
+  const auto first = records.begin() + (best - heights.begin()), last = first + (best_end - best);
+  records.erase(last, records.end());
+  records.erase(records.begin(), first);
+  return true;
 }
 
 // Returns the mean squared height of the samples over their mean plane, less the part that the curvature of the surface
@@ -148,13 +166,10 @@ double noise_of(const PointSet& points, const Cube& cube, const std::vector<Entr
 }
 
 double share_of_layers(const PointSet& points, const Cube& cube, const std::vector<Entry>& entries, unsigned level) {
-  constexpr std::size_t least_of_another = 4;
   double cells = 0, layered = 0;
   each_side(points, cube, entries, level, [&](std::vector<Record>& records) {
-    const std::size_t all = records.size();
-    keep_one_layer(records);
     ++cells;
-    layered += all - records.size() >= least_of_another ? 1 : 0;
+    layered += keep_one_layer(records) ? 1 : 0;
   });
   return cells > 0 ? layered / cells : 0;
 }

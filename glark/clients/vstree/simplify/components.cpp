@@ -93,6 +93,47 @@ bool falls_apart(const Surface& from, const Simplified& result) {
          has_grown(from, result);
 }
 
+namespace {
+
+// Calls connect(a, b) for parts of the result whose samples belong to one part of the input.
+template <typename Connect>
+void connect_by_parts(const Surface& from, const Simplified& result, const Parts& after, const Connect& connect) {
+  const Parts before = parts_of(from);
+  std::vector<std::uint32_t> found(before.of.size(), none);
+  for (std::uint32_t i = 0; i < from.size(); ++i) {
+    const std::uint32_t vertex = result.representatives[i];
+    if (vertex == none) continue;
+    std::uint32_t& other = found[before.of[i]];
+    if (other == none) other = after.of[vertex];
+    connect(after.of[vertex], other);
+  }
+}
+
+// The same for clusters: triangles of the input at samples of crumbs connect these with the rest. It is quicker, but a
+// collapse leaves most samples without a vertex.
+template <typename Connect>
+void connect_by_triangles(const Surface& from, const Simplified& result, const Parts& after,
+                          const std::vector<bool>& is_crumb, const Connect& connect) {
+  std::vector<std::uint8_t> is_in_crumb(from.size());
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    const std::uint32_t vertex = result.representatives[i];
+    is_in_crumb[i] = vertex != none && is_crumb[after.of[vertex]] ? 1 : 0;
+  }
+  for (std::size_t t = 0; t + 2 < from.triangles.size(); t += 3) {
+    const std::uint32_t* const corners = &from.triangles[t];
+    if ((is_in_crumb[corners[0]] | is_in_crumb[corners[1]] | is_in_crumb[corners[2]]) == 0) continue;
+    std::uint32_t last = none;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t vertex = result.representatives[corners[k]];
+      if (vertex == none) continue;
+      connect(after.of[vertex], last == none ? after.of[vertex] : last);
+      last = after.of[vertex];
+    }
+  }
+}
+
+}  // namespace
+
 void drop_pinched_off(const Surface& from, Simplified& result) {
   const Parts after = parts_of(result);
   const std::size_t most = std::min(crumb, result.triangles.size() / 3 / least_share);
@@ -104,25 +145,16 @@ void drop_pinched_off(const Surface& from, Simplified& result) {
     any = any || is_gone[part];
   }
   if (!any) return;
-  // Triangles of the input connect crumbs with the rest.
-  std::vector<std::uint8_t> is_in_crumb(from.size());
-  for (std::size_t i = 0; i < from.size(); ++i) {
-    const std::uint32_t vertex = result.representatives[i];
-    is_in_crumb[i] = vertex != none && is_gone[after.of[vertex]] ? 1 : 0;
-  }
   common::DisjointSets connected(after.of.size());
   std::vector<bool> has_samples(after.of.size());
-  for (std::size_t t = 0; t + 2 < from.triangles.size(); t += 3) {
-    const std::uint32_t* const corners = &from.triangles[t];
-    if ((is_in_crumb[corners[0]] | is_in_crumb[corners[1]] | is_in_crumb[corners[2]]) == 0) continue;
-    std::uint32_t last = none;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t vertex = result.representatives[corners[k]];
-      if (vertex == none) continue;
-      has_samples[after.of[vertex]] = true;
-      if (last != none) connected.join(last, after.of[vertex]);
-      last = after.of[vertex];
-    }
+  const auto connect = [&](std::uint32_t part, std::uint32_t other) {
+    has_samples[part] = has_samples[other] = true;
+    connected.join(part, other);
+  };
+  if (result.method == Method::collapse) {
+    connect_by_parts(from, result, after, connect);
+  } else {
+    connect_by_triangles(from, result, after, is_gone, connect);
   }
   std::vector<bool> has_more(after.of.size());  // whether more than crumbs is connected
   for (std::uint32_t part = 0; part < has_more.size(); ++part) {
