@@ -95,7 +95,8 @@ inline EdgeFaults edge_faults(const std::vector<std::uint32_t>& triangles) {
 }
 
 // The number of parts of triangles that share vertices.
-inline std::size_t parts_of(const Simplified& mesh) {
+template <typename Triangles>
+std::size_t parts_of(const Triangles& mesh) {
   common::DisjointSets sets(mesh.positions.size() / 3);
   for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
     sets.join(mesh.triangles[t], mesh.triangles[t + 1]);
