@@ -18,6 +18,7 @@
 #include <string_view>
 
 #include "glark/clients/geometry/measure/topology.h"
+#include "glark/clients/geometry/read/gltf_check.h"
 #include "glark/clients/geometry/read/point_builder.h"
 
 namespace glark::geometry {
@@ -144,8 +145,7 @@ struct Importing {
 Importing importing(MeshFormat format, std::span<const char> bytes) {
   if (format == MeshFormat::stl) return {"STL", "stl", 0};
   if (format == MeshFormat::obj) return {"OBJ", "obj", 0};
-  const bool is_binary = bytes.size() >= 4 && std::string_view(bytes.data(), 4) == "glTF";
-  return {"glTF", is_binary ? "glb" : "gltf", aiProcess_PreTransformVertices};
+  return {"glTF", is_glb(bytes) ? "glb" : "gltf", aiProcess_PreTransformVertices};
 }
 
 }  // namespace
@@ -162,6 +162,7 @@ Reading read_by_assimp(Input& input, MeshFormat format, const ReadOptions& optio
   if (scene == nullptr)
     throw Error(fmt::format("{}: is not a valid {} file: {}; check the format or export it again", input.name(), kind,
                             importer.GetErrorString()));
+  if (format == MeshFormat::gltf) warning = check_gltf(input.name(), bytes);
   // Assimp could join vertices, too. But it treats vertices that are not finite as equal to all others.
   Reading reading = Scene(input.name(), *scene, options).gather();
   importer.FreeScene();
