@@ -173,6 +173,13 @@ class Commands(CommandCase):
                 self.assertIn(said, result.stderr)
                 self.assertNotIn("->", self.glark(command, "--help").stdout)
 
+    def test_a_link_to_a_missing_file_stays_a_link(self):
+        self.needs("simplify")
+        (self.path / "d.ply").symlink_to("nowhere.ply")
+        self.glark("simplify", self.sphere, "-o", "d.ply", "--target", "90")
+        self.assertTrue((self.path / "d.ply").is_symlink())
+        self.assertTrue((self.path / "nowhere.ply").is_file())
+
     def test_a_target_above_what_there_is_gives_the_input(self):
         self.needs("simplify")
         (self.path / "points.xyz").write_text("".join(f"{i} {i * i} 0\n" for i in range(9)))
