@@ -159,10 +159,12 @@ class Commands(CommandCase):
         for command, option, given, said in (
                 ("simplify", "--clustering", "foo", '"foo" is not one of vstree, octree, grid'), ("simplify", "--metric", "2", "not one of l2, l21, qef, density"),
                 ("simplify", "--target", "0", '"0" is not a whole number above 0'), ("simplify", "--error", "inf", '"inf" is not a number above 0'),
-                ("simplify", "--error", "nan", '"nan" is not a number above 0'), ("view", "--mode", "foo", "not one of splat, strip, mesh"),
+                ("simplify", "--error", "nan", '"nan" is not a number above 0'), ("simplify", "--error", "1e300", '"1e300" is not a number above 0 (1.2e-38 to 1e+18)'),
+                ("simplify", "--max-error", "1.1e18", '"1.1e18" is not a number above 0'), ("simplify", "--error", "1e-300", '"1e-300" is not a number above 0'),
+                ("simplify", "--error", "-1", '"-1" is not a number above 0'), ("view", "--mode", "foo", "not one of splat, strip, mesh"),
                 ("simplify", "--target", "-18446744073709551615", "is not a whole number above 0"), ("simplify", "--target", "nan", '"nan" is not a whole'),
                 ("simplify", "--target", "1.5", '"1.5" is not a whole number'), ("simplify", "--target", "1e30", '"1e30" is not a whole number'),
-                ("strip", "--reach", "nan", '"nan" is not a number from 1 to 100'), ("reconstruct", "--node-samples", "nan", "is not a number from 2 to 1000"),
+                ("strip", "--reach", "nan", '"nan" is not a number from 1 to 100'), ("reconstruct", "--node-samples", "nan", "is not a number from 2 to 1000"), ("reconstruct", "--error", "1e300", '"1e300" is not a number from 0 to 1'),
                 ("view", "--zoom", "nan", '"nan" is not a number from 0.01 to 1000'), ("view", "--yaw", "nan", "is not a number from -360 to 360")):
             if command not in self.has:
                 continue
