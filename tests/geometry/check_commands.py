@@ -175,6 +175,21 @@ class Commands(CommandCase):
                 self.assertIn(said, result.stderr)
                 self.assertNotIn("->", self.glark(command, "--help").stdout)
 
+    def test_simplify_tells_of_other_connections(self):
+        """A part that vanishes is told; a sphere keeps its connections."""
+        self.needs("simplify")
+        same = self.glark("simplify", self.sphere, "-o", "a.ply", "--target", "1000", "--json")
+        self.assertEqual("", same.stderr)
+        keys = ("parts_before", "parts_after", "non_manifold_edges_added")
+        self.assertEqual([1, 1, 0], [json.loads(same.stdout)[key] for key in keys])
+        points, triangles = sphere(40)
+        tiny, faces = sphere(3)
+        two = points + [(2 + 1e-5 * x, 1e-5 * y, 1e-5 * z) for x, y, z in tiny]
+        write_ply(self.path / "two.ply", two, triangles + [tuple(len(points) + i for i in face) for face in faces])
+        lost = self.glark("simplify", "two.ply", "-o", "a.ply", "--target", "100", "--fast", "--json")
+        self.assertIn("glark: a.ply: 2 connected parts became 1\n", lost.stderr)
+        self.assertEqual([2, 1, 0], [json.loads(lost.stdout)[key] for key in keys])
+
     def test_a_link_to_a_missing_file_stays_a_link(self):
         self.needs("simplify")
         (self.path / "d.ply").symlink_to("nowhere.ply")
