@@ -159,10 +159,12 @@ class Commands(CommandCase):
         for command, option, given, said in (
                 ("simplify", "--clustering", "foo", '"foo" is not one of vstree, octree, grid'), ("simplify", "--metric", "2", "not one of l2, l21, qef, density"),
                 ("simplify", "--target", "0", '"0" is not a whole number above 0'), ("simplify", "--error", "inf", '"inf" is not a number above 0'),
-                ("simplify", "--error", "nan", '"nan" is not a number above 0'), ("view", "--mode", "foo", "not one of splat, strip, mesh"),
+                ("simplify", "--error", "nan", '"nan" is not a number above 0'), ("simplify", "--error", "1e300", '"1e300" is not a number above 0 (1.2e-38 to 1e+18)'),
+                ("simplify", "--max-error", "1.1e18", '"1.1e18" is not a number above 0'), ("simplify", "--error", "1e-300", '"1e-300" is not a number above 0'),
+                ("simplify", "--error", "-1", '"-1" is not a number above 0'), ("view", "--mode", "foo", "not one of splat, strip, mesh"),
                 ("simplify", "--target", "-18446744073709551615", "is not a whole number above 0"), ("simplify", "--target", "nan", '"nan" is not a whole'),
                 ("simplify", "--target", "1.5", '"1.5" is not a whole number'), ("simplify", "--target", "1e30", '"1e30" is not a whole number'),
-                ("strip", "--reach", "nan", '"nan" is not a number from 1 to 100'), ("reconstruct", "--node-samples", "nan", "is not a number from 2 to 1000"),
+                ("strip", "--reach", "nan", '"nan" is not a number from 1 to 100'), ("reconstruct", "--node-samples", "nan", "is not a number from 2 to 1000"), ("reconstruct", "--error", "1e300", '"1e300" is not a number from 0 to 1'),
                 ("view", "--zoom", "nan", '"nan" is not a number from 0.01 to 1000'), ("view", "--yaw", "nan", "is not a number from -360 to 360")):
             if command not in self.has:
                 continue
@@ -172,6 +174,28 @@ class Commands(CommandCase):
                 self.assertIn(f"{option}: ", result.stderr)
                 self.assertIn(said, result.stderr)
                 self.assertNotIn("->", self.glark(command, "--help").stdout)
+
+    def test_simplify_tells_of_other_connections(self):
+        """A part that vanishes is told; a sphere keeps its connections."""
+        self.needs("simplify")
+        same = self.glark("simplify", self.sphere, "-o", "a.ply", "--target", "1000", "--json")
+        self.assertEqual("", same.stderr)
+        keys = ("parts_before", "parts_after", "non_manifold_edges_added")
+        self.assertEqual([1, 1, 0], [json.loads(same.stdout)[key] for key in keys])
+        points, triangles = sphere(40)
+        tiny, faces = sphere(3)
+        two = points + [(2 + 1e-5 * x, 1e-5 * y, 1e-5 * z) for x, y, z in tiny]
+        write_ply(self.path / "two.ply", two, triangles + [tuple(len(points) + i for i in face) for face in faces])
+        lost = self.glark("simplify", "two.ply", "-o", "a.ply", "--target", "100", "--fast", "--json")
+        self.assertIn("glark: a.ply: 2 connected parts became 1\n", lost.stderr)
+        self.assertEqual([2, 1, 0], [json.loads(lost.stdout)[key] for key in keys])
+
+    def test_a_link_to_a_missing_file_stays_a_link(self):
+        self.needs("simplify")
+        (self.path / "d.ply").symlink_to("nowhere.ply")
+        self.glark("simplify", self.sphere, "-o", "d.ply", "--target", "90")
+        self.assertTrue((self.path / "d.ply").is_symlink())
+        self.assertTrue((self.path / "nowhere.ply").is_file())
 
     def test_a_target_above_what_there_is_gives_the_input(self):
         self.needs("simplify")

@@ -117,6 +117,65 @@ TEST_F(OtherFormats, GltfMayNameAnotherFile) {
   EXPECT_EQ((std::vector<float>{10, 0, 0, 11, 0, 0, 10, 1, 0}), read_file(file, {}).geometry.positions);
 }
 
+// Four points, and the indices of a GLB file.
+std::string glb(const std::vector<std::uint32_t>& indices, const char* more_attributes = "") {
+  const std::array<float, 12> points{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+  std::string bytes(reinterpret_cast<const char*>(points.data()), sizeof(points));
+  bytes.append(reinterpret_cast<const char*>(indices.data()), 4 * indices.size());
+  const std::string size = std::to_string(bytes.size()), length = std::to_string(4 * indices.size());
+  std::string text =
+      R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"meshes":[{"primitives":[)"
+      R"({"attributes":{"POSITION":0)" +
+      std::string(more_attributes) + R"(},"indices":1}]}],"buffers":[{"byteLength":)" + size +
+      R"(}],"bufferViews":[{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":)" + length +
+      R"(}],"accessors":[{"bufferView":0,"componentType":5126,"count":4,"type":"VEC3","min":[0,0,0],"max":[1,1,0]},)"
+      R"({"bufferView":1,"componentType":5125,"count":)" +
+      std::to_string(indices.size()) +
+      R"(,"type":"SCALAR"},{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3"}]})";
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  std::string file = "glTF";
+  const auto add = [&](std::size_t number) {
+    const auto value = static_cast<std::uint32_t>(number);
+    file.append(reinterpret_cast<const char*>(&value), sizeof(value));
+  };
+  add(2);
+  add(12 + 8 + text.size() + 8 + bytes.size());
+  add(text.size());
+  file += "JSON" + text;
+  add(bytes.size());
+  return file + std::string("BIN\0", 4) + bytes;
+}
+
+TEST_F(OtherFormats, DamagedGltfIsExplained) {
+  EXPECT_EQ(2U, read_file(made("a.glb", glb({0, 1, 2, 0, 2, 3})), {}).geometry.triangle_count());
+  struct Case {
+    std::string contents;
+    const char* said;
+  };
+  const Case cases[] = {
+      {glb({0, 1, 2, 0, 2, 9}), "mesh 0, primitive 0: index 5 is 9, but there are only 4 points"},
+      {glb({0, 1, 2, 0, 2, 4}), "index 5 is 4"},
+      {glb({0, 1, 2, 0, 2}), "5 indices are no whole triangles"},
+      {glb({0, 1, 2, 0, 2, 3}, ",\"NORMAL\":2"), "3 NORMAL for 4 points"},
+  };
+  for (const Case& bad : cases) {
+    const std::string problem = problem_with(made("a.glb", bad.contents));
+    EXPECT_NE(std::string::npos, problem.find(bad.said)) << problem;
+    EXPECT_NE(std::string::npos, problem.find("a.glb")) << problem;
+  }
+}
+
+TEST_F(OtherFormats, PointsOfGltfWithoutIndicesAreWholeTriangles) {
+  std::string text = gltf;
+  const auto replace = [&](const std::string& old, const std::string& now) {
+    text.replace(text.find(old), old.size(), now);
+  };
+  replace("\"count\":3", "\"count\":4");
+  for (int i = 0; i < 2; ++i) replace("\"byteLength\":36", "\"byteLength\":48");
+  replace("base64,", "base64,AAAAAAAAAAAAAAAA");
+  EXPECT_NE(std::string::npos, problem_with(made("a.gltf", text)).find("4 points are no whole triangles"));
+}
+
 TEST_F(OtherFormats, OffWithTooManyPointsOrFacesIsExplained) {
   for (const char* head : {"OFF\n353535235358 1 0\n", "OFF 3 77777777777 0\n", "COFF\n# a\n\n3\n99999999 0\n"}) {
     const std::string problem = problem_with(made("a.off", head + std::string("0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")));

@@ -55,5 +55,25 @@ TEST_F(OutputFiles, ALinkStaysALink) {
   EXPECT_EQ(0640U, status_of(file).st_mode & 07777U);
 }
 
+TEST_F(OutputFiles, ALinkToAMissingFileStaysALink) {
+  std::filesystem::create_directory(path("folder"));
+  std::filesystem::create_symlink("folder/inner.ply", path("link.ply"));
+  std::filesystem::create_symlink("missing.ply", path("folder/inner.ply"));
+  write_file(path("link.ply"), random_geometry(1, {}));
+  EXPECT_TRUE(std::filesystem::is_symlink(path("link.ply")));
+  EXPECT_TRUE(std::filesystem::is_symlink(path("folder/inner.ply")));
+  EXPECT_TRUE(std::filesystem::is_regular_file(std::filesystem::symlink_status(path("folder/missing.ply"))));
+}
+
+TEST_F(OutputFiles, AMissingFolderOrALoopBehindALinkIsAnError) {
+  std::filesystem::create_symlink("nowhere/a.ply", path("link.ply"));
+  std::filesystem::create_symlink("b.ply", path("a.ply"));
+  std::filesystem::create_symlink("a.ply", path("b.ply"));
+  for (const char* name : {"link.ply", "a.ply"}) {
+    EXPECT_THROW(write_file(path(name), random_geometry(1, {})), Error) << name;
+    EXPECT_TRUE(std::filesystem::is_symlink(path(name)));
+  }
+}
+
 }  // namespace
 }  // namespace glark::geometry

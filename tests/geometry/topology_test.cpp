@@ -26,6 +26,31 @@ TEST(Topology, SeamsOfAttributesAreNoBoundary) {
   EXPECT_EQ(4U, topology.places);
   EXPECT_EQ(4U, topology.boundary_edges);
   EXPECT_EQ(1U, topology.components);
+  EXPECT_EQ(1U, component_count(geometry));
+}
+
+TEST(Topology, ComponentsHaveTriangles) {
+  Geometry geometry;
+  geometry.positions = {0, 0, 0, 1, 0, 0, 0, 1, 0, 5, 5, 5, 9, 9, 9, 8, 9, 9, 9, 8, 9};
+  geometry.triangles = {0, 1, 2, 3, 3, 4, 4, 6, 5};  // the second one is degenerate
+  EXPECT_EQ(2U, component_count(geometry));
+  EXPECT_EQ(2U, topology_of(geometry).components);
+  geometry.triangles.clear();
+  EXPECT_EQ(0U, component_count(geometry));
+}
+
+// The edges of the middle of a fan are many.
+TEST(Topology, EdgesOfAFanAreCounted) {
+  Geometry geometry;
+  geometry.positions = {0, 0, 0};
+  constexpr std::uint32_t count = 100;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const float turn = 0.01F * static_cast<float>(i);
+    geometry.positions.insert(geometry.positions.end(), {1, turn, turn * turn});
+    if (i > 0) geometry.triangles.insert(geometry.triangles.end(), {0, i, i + 1});
+  }
+  EXPECT_EQ(count + 1, topology_of(geometry).boundary_edges);
+  EXPECT_EQ(0U, topology_of(geometry).non_manifold_edges);
 }
 
 TEST(Topology, ThreeTrianglesAtAnEdgeAreNotManifold) {
@@ -37,6 +62,8 @@ TEST(Topology, ThreeTrianglesAtAnEdgeAreNotManifold) {
   EXPECT_EQ(6U, topology.boundary_edges);
   EXPECT_EQ(1U, topology.degenerate_triangles);
   EXPECT_EQ(1U, topology.unused_points);
+  EXPECT_EQ(1U, connections_of(geometry).non_manifold_edges);
+  EXPECT_EQ(1U, connections_of(geometry).components);
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 #include <numbers>
 #include <random>
 
+#include <glark/reconstruct.h>
+
 #include "glark/clients/common/vector.h"
 #include "tests/vstree/shapes.h"
 
@@ -71,7 +73,7 @@ void expect_all_layers(const Nest& nest, unsigned seed) {
     const auto at = [&](std::size_t k) {
       return common::vector_at(std::span<const float>(mesh.positions), mesh.triangles[t + k]);
     };
-    area += static_cast<double>(length(cross(at(1) - at(0), at(2) - at(0)))) / 2;
+    area += static_cast<double>(common::length(common::cross(at(1) - at(0), at(2) - at(0)))) / 2;
   }
   EXPECT_LT(std::sqrt(squares / (static_cast<double>(mesh.positions.size()) / 3)), std::max(0.1, nest.noise) * spacing);
   EXPECT_NEAR(area, nest.area(), (nest.is_open ? 0.05 : 0.02) * nest.area());

@@ -7,6 +7,7 @@
 
 #include "glark/clients/geometry/parse/input.h"
 #include "glark/clients/geometry/read/assimp_reader.h"
+#include "glark/clients/geometry/read/off_reader.h"
 #include "glark/clients/geometry/read/pcd_reader.h"
 #include "glark/clients/geometry/read/ply_reader.h"
 #include "glark/clients/geometry/read/text_points.h"
@@ -52,7 +53,7 @@ Reading read_as(const std::string& ending, Input& input, const ReadOptions& opti
   if (ending == ".ply") return read_ply(input, options);
   if (ending == ".obj") return read_by_assimp(input, MeshFormat::obj, options);
   if (ending == ".stl") return read_by_assimp(input, MeshFormat::stl, options);
-  if (ending == ".off") return read_by_assimp(input, MeshFormat::off, options);
+  if (ending == ".off") return read_off(input, options);
   if (ending == ".glb" || ending == ".gltf") return read_by_assimp(input, MeshFormat::gltf, options);
   if (ending == ".pcd") return read_pcd(input, options);
   if (is_text(ending)) return read_text_points(input, ending == ".pts" ? TextPoints::pts : TextPoints::xyz, options);

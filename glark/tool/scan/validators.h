@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>
@@ -18,11 +17,13 @@ namespace glark::tool {
 
 inline constexpr int largest_side = 16384;  // of a picture or window, in pixels
 
+// Accepts numbers above 0 that a float can hold, up to the limit of the libraries.
 inline CLI::Validator above_zero() {
   return {[](std::string& text) -> std::string {
+            constexpr double low = std::numeric_limits<float>::min(), high = 1e18;
             double value = 0;
-            const bool good = CLI::detail::lexical_cast(text, value) && value > 0 && std::isfinite(value);
-            return good ? "" : "\"" + text + "\" is not a number above 0";
+            const bool good = CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
+            return good ? "" : fmt::format("\"{}\" is not a number above 0 ({:.2g} to {})", text, low, high);
           },
           ""};
 }

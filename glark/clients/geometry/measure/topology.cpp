@@ -6,6 +6,8 @@
 #include <array>
 #include <bit>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 #include "glark/clients/common/disjoint_sets.h"
 
@@ -48,14 +50,74 @@ void move_row(std::vector<Value>& values, std::size_t width, std::size_t from, s
   if (!values.empty() && from != to) std::copy_n(&values[width * from], width, &values[width * to]);
 }
 
-void count_edges(std::vector<std::uint64_t>& edges, Topology& topology) {
-  std::sort(edges.begin(), edges.end());
-  for (auto edge = edges.begin(); edge != edges.end();) {
-    const auto next = std::find_if(edge, edges.end(), [&](std::uint64_t other) { return other != *edge; });
-    topology.boundary_edges += next - edge == 1 ? 1 : 0;
-    topology.non_manifold_edges += next - edge > 2 ? 1 : 0;
-    edge = next;
+using Corners = std::array<std::uint32_t, 3>;
+
+// Most lists have three numbers, for which std::sort is slow.
+void sort(std::span<std::uint32_t> list) {
+  constexpr std::size_t many = 32;
+  if (list.size() > many) return std::sort(list.begin(), list.end());
+  for (std::size_t i = 1; i < list.size(); ++i) {
+    const std::uint32_t value = list[i];
+    std::size_t k = i;
+    for (; k > 0 && list[k - 1] > value; --k) list[k] = list[k - 1];
+    list[k] = value;
   }
+}
+
+// Visits the corners of triangles that are not degenerate. `place` gives the first point at the position of a point.
+template <class Place, class Visit>
+void each_triangle(const Geometry& geometry, Place&& place, Visit&& visit) {
+  for (std::size_t i = 0; i < geometry.triangles.size(); i += 3) {
+    const Corners corners{place(geometry.triangles[i]), place(geometry.triangles[i + 1]),
+                          place(geometry.triangles[i + 2])};
+    if (corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0]) visit(corners);
+  }
+}
+
+// Counts edges by the number of their triangles. Each edge is in the list of its lower corner, which is short.
+template <class Place>
+void count_edges(const Geometry& geometry, Place&& place, Topology& topology) {
+  const auto each_edge = [&](auto&& visit) {
+    each_triangle(geometry, place, [&](const Corners& corners) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
+        visit(low, high);
+      }
+    });
+  };
+  std::vector<std::size_t> end(geometry.point_count() + 1);
+  each_edge([&](std::uint32_t low, std::uint32_t) { ++end[low + 1]; });
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  std::vector<std::uint32_t> highs(end.back());
+  each_edge([&](std::uint32_t low, std::uint32_t high) { highs[end[low]++] = high; });
+  for (std::size_t low = 0, begin = 0; low < geometry.point_count(); begin = end[low++]) {
+    const auto list = std::span(highs).subspan(begin, end[low] - begin);
+    sort(list);
+    for (auto edge = list.begin(); edge != list.end();) {
+      const auto next = std::find_if(edge, list.end(), [&](std::uint32_t other) { return other != *edge; });
+      topology.boundary_edges += next - edge == 1 ? 1 : 0;
+      topology.non_manifold_edges += next - edge > 2 ? 1 : 0;
+      edge = next;
+    }
+  }
+}
+
+template <class Place>
+common::DisjointSets components_by(const Geometry& geometry, Place&& place) {
+  common::DisjointSets sets(geometry.point_count());
+  each_triangle(geometry, place, [&](const Corners& corners) {
+    sets.join(corners[0], corners[1]);
+    sets.join(corners[1], corners[2]);
+  });
+  return sets;
+}
+
+// Returns the number of components that have triangles. The others are single points.
+std::size_t count_of(common::DisjointSets components) {
+  std::vector<bool> has_triangles(components.size());
+  for (std::uint32_t i = 0; i < components.size(); ++i)
+    if (const std::uint32_t component = components.find(i); component != i) has_triangles[component] = true;
+  return static_cast<std::size_t>(std::count(has_triangles.begin(), has_triangles.end(), true));
 }
 
 }  // namespace
@@ -104,35 +166,36 @@ Topology topology_of(const Geometry& geometry) {
   for (std::uint32_t i = 0; i < first.size(); ++i) topology.places += first[i] == i ? 1 : 0;
   if (geometry.triangles.empty()) return topology;
 
-  std::vector<bool> used(first.size());
-  std::vector<std::uint64_t> edges;
-  edges.reserve(geometry.triangles.size());
-  common::DisjointSets sets(first.size());
-  const auto corner = [&](std::size_t index) { return first[geometry.triangles[index]]; };
-  for (std::size_t i = 0; i < geometry.triangles.size(); i += 3) {
-    for (std::size_t k = 0; k < 3; ++k) used[geometry.triangles[i + k]] = true;
-    const std::array corners{corner(i), corner(i + 1), corner(i + 2)};
-    if (corners[0] == corners[1] || corners[1] == corners[2] || corners[2] == corners[0]) {
-      ++topology.degenerate_triangles;
-      continue;
-    }
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax(corners[k], corners[(k + 1) % 3]);
-      edges.push_back(std::uint64_t{low} << 32U | high);
-    }
-    sets.join(corners[0], corners[1]);
-    sets.join(corners[1], corners[2]);
-  }
-  topology.unused_points = static_cast<std::size_t>(std::count(used.begin(), used.end(), false));
-  count_edges(edges, topology);
+  const auto place = [&](std::uint32_t point) { return first[point]; };
+  std::vector<char> used(first.size());
+  for (const std::uint32_t point : geometry.triangles) used[point] = 1;
+  topology.unused_points = static_cast<std::size_t>(std::count(used.begin(), used.end(), 0));
+  count_edges(geometry, place, topology);
+  common::DisjointSets components = components_by(geometry, place);
   std::vector<std::uint32_t> triangles_of(first.size());
-  for (std::size_t i = 0; i < geometry.triangles.size(); i += 3)
-    if (corner(i) != corner(i + 1) && corner(i + 1) != corner(i + 2) && corner(i + 2) != corner(i))
-      ++triangles_of[sets.find(corner(i))];
-  topology.components = static_cast<std::size_t>(
-      std::count_if(triangles_of.begin(), triangles_of.end(), [](std::uint32_t count) { return count > 0; }));
+  topology.degenerate_triangles = geometry.triangle_count();
+  each_triangle(geometry, place, [&](const Corners& corners) {
+    ++triangles_of[components.find(corners[0])];
+    --topology.degenerate_triangles;
+  });
   topology.largest_component = *std::max_element(triangles_of.begin(), triangles_of.end());
+  topology.components = count_of(std::move(components));
   return topology;
+}
+
+Connections connections_of(const Geometry& geometry) {
+  Topology topology;
+  const std::vector<std::uint32_t> first = first_at_same_place(geometry.positions);
+  const auto place = [&](std::uint32_t point) { return first[point]; };
+  count_edges(geometry, place, topology);
+  return {count_of(components_by(geometry, place)), topology.non_manifold_edges};
+}
+
+std::size_t component_count(const Geometry& geometry) {
+  const std::size_t components = count_of(components_by(geometry, [](std::uint32_t point) { return point; }));
+  if (components == 1) return components;  // positions join components, and only them
+  const std::vector<std::uint32_t> first = first_at_same_place(geometry.positions);
+  return count_of(components_by(geometry, [&](std::uint32_t point) { return first[point]; }));
 }
 
 }  // namespace glark::geometry

@@ -25,6 +25,16 @@ struct Topology {
 
 Topology topology_of(const Geometry& geometry);
 
+// Two numbers of the topology, in less time.
+struct Connections {
+  std::size_t components = 0;
+  std::size_t non_manifold_edges = 0;
+};
+Connections connections_of(const Geometry& geometry);
+
+// The number of components alone, in a quarter of that time.
+std::size_t component_count(const Geometry& geometry);
+
 // Returns for each point the first one at the same position.
 std::vector<std::uint32_t> first_at_same_place(std::span<const float> positions);
 

@@ -11,17 +11,14 @@
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <cctype>
-#include <charconv>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <optional>
-#include <sstream>
 #include <string>
 #include <string_view>
 
 #include "glark/clients/geometry/measure/topology.h"
+#include "glark/clients/geometry/read/gltf_check.h"
 #include "glark/clients/geometry/read/point_builder.h"
 
 namespace glark::geometry {
@@ -133,69 +130,6 @@ class Scene {
   const ReadOptions& options_;
 };
 
-// Returns the next line of an OFF file that is more than a comment, without its comment; or nothing at the end. It is
-// valid until the next line is read.
-std::optional<std::string_view> off_line(Input& input) {
-  std::string_view line;
-  while (input.line(line)) {
-    line = line.substr(0, line.find('#'));
-    if (line.find_first_not_of(" \t\r") != std::string_view::npos) return line;
-  }
-  return std::nullopt;
-}
-
-// Throws if an index of the line of a face is no whole number. Assimp cuts off its fraction.
-void check_off_face(const std::string& name, std::string_view line, std::size_t face) {
-  constexpr std::string_view space = " \t\r";
-  for (std::size_t i = 0, count = 0; i <= count; ++i) {
-    line.remove_prefix(std::min(line.find_first_not_of(space), line.size()));
-    if (line.empty()) return;
-    const std::string_view word = line.substr(0, line.find_first_of(space));
-    line.remove_prefix(word.size());
-    std::size_t number = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (error != std::errc{} || end != word.data() + word.size())
-      throw Error(
-          fmt::format("{}: OFF face {}: \"{}\" is no index of a point; export the file again", name, face, word));
-    if (i == 0) count = number;
-  }
-}
-
-// Throws if an OFF file announces more than it has room for, as Assimp makes room for all of it first, or if an index
-// is no whole number.
-void check_off(const std::string& name, std::span<const char> bytes) {
-  constexpr double least_vertex = 6;  // bytes: "0 0 0" and its end
-  constexpr double least_face = 2;    // bytes: "0" and its end
-  Input input = memory_input(name, bytes);
-  std::vector<double> counts;
-  std::size_t first = 0;  // 1 in nOFF, where the counts follow a dimension
-  while (counts.size() < first + 2) {
-    const std::optional<std::string_view> line = off_line(input);
-    if (!line) return;
-    std::istringstream words{std::string(*line)};
-    std::string word;
-    while (words >> word) {
-      if (word.find("OFF") == std::string::npos)
-        counts.push_back(std::strtod(word.c_str(), nullptr));
-      else
-        first = word.find('n') != std::string::npos ? 1 : 0;
-    }
-  }
-  const double points = counts[first], faces = counts[first + 1];
-  const auto size = static_cast<double>(bytes.size());
-  if (points * least_vertex > size + 1 || faces * least_face > size + 1)
-    throw Error(fmt::format(
-        "{}: OFF header: it announces {} points and {} faces, for which the file is too short; it is cut off or "
-        "its header wrong, get it again",
-        name, points, faces));
-  for (double point = 0; point < points; ++point) off_line(input);
-  for (std::size_t face = 0; static_cast<double>(face) < faces; ++face) {
-    const std::optional<std::string_view> line = off_line(input);
-    if (!line) return;  // Assimp says what is missing
-    check_off_face(name, *line, face);
-  }
-}
-
 // Returns whether Assimp can open the file itself, and with it the files that it names.
 bool is_plain_gltf(const std::string& name, std::span<const char> bytes) {
   std::error_code error;
@@ -211,19 +145,16 @@ struct Importing {
 Importing importing(MeshFormat format, std::span<const char> bytes) {
   if (format == MeshFormat::stl) return {"STL", "stl", 0};
   if (format == MeshFormat::obj) return {"OBJ", "obj", 0};
-  if (format == MeshFormat::off) return {"OFF", "off", 0};
-  const bool is_binary = bytes.size() >= 4 && std::string_view(bytes.data(), 4) == "glTF";
-  return {"glTF", is_binary ? "glb" : "gltf", aiProcess_PreTransformVertices};
+  return {"glTF", is_glb(bytes) ? "glb" : "gltf", aiProcess_PreTransformVertices};
 }
 
 }  // namespace
 
 Reading read_by_assimp(Input& input, MeshFormat format, const ReadOptions& options) {
   std::vector<char> bytes = whole(input);
-  std::string ignored;
-  if (format == MeshFormat::stl) ignored = check_stl(input.name(), bytes);
+  std::string warning;
+  if (format == MeshFormat::stl) warning = check_stl(input.name(), bytes);
   const auto [kind, hint, steps] = importing(format, bytes);
-  if (format == MeshFormat::off) check_off(input.name(), bytes);
   Assimp::Importer importer;
   const aiScene* scene = format == MeshFormat::gltf && is_plain_gltf(input.name(), bytes)
                              ? importer.ReadFile(input.name(), steps)
@@ -231,10 +162,11 @@ Reading read_by_assimp(Input& input, MeshFormat format, const ReadOptions& optio
   if (scene == nullptr)
     throw Error(fmt::format("{}: is not a valid {} file: {}; check the format or export it again", input.name(), kind,
                             importer.GetErrorString()));
+  if (format == MeshFormat::gltf) warning = check_gltf(input.name(), bytes);
   // Assimp could join vertices, too. But it treats vertices that are not finite as equal to all others.
   Reading reading = Scene(input.name(), *scene, options).gather();
   importer.FreeScene();
-  if (!ignored.empty()) reading.warnings.push_back(ignored);
+  if (!warning.empty()) reading.warnings.push_back(warning);
   if (format == MeshFormat::stl)
     // These are the normals of the faces. With these normals, no two triangles would share a vertex.
     reading.geometry.normals = {};

@@ -22,12 +22,16 @@ namespace fs = std::filesystem;
 constexpr std::size_t block_size = std::size_t{1} << 20;
 constexpr mode_t permissions = 0666;  // minus the umask
 
+// Follows links, so that they stay links: their target is replaced. A target that does not exist is made.
 fs::path resolved(const fs::path& file) {
+  constexpr int most_links = 40;  // as in Linux; the system rejects a loop when the file is opened
   if (file.empty()) throw Error("the name of the output is empty; name a file");
   std::error_code error;
   const fs::path full = fs::absolute(file, error);
-  const fs::path real = fs::weakly_canonical(full, error);  // a link stays a link: its target is replaced
-  return error ? full : real;
+  fs::path real = fs::weakly_canonical(full, error);
+  for (int i = 0; !error && i < most_links && fs::is_symlink(real, error); ++i)
+    real = fs::weakly_canonical(real.parent_path() / fs::read_symlink(real, error), error);
+  return real.empty() ? full : real;
 }
 
 // The name of the temporary file beside `file`. The system limits names, so that of a long one is cut.

@@ -18,6 +18,7 @@
 #include "glark/tool/scan/quality.h"
 #include "glark/tool/scan/rgb.h"
 #include "glark/tool/scan/simplified.h"
+#include "glark/tool/scan/simplify/connections.h"
 #if GLARK_HAS_STREAM
 #include "glark/tool/scan/parts/large_mesh.h"
 #endif
@@ -139,6 +140,8 @@ void simplify(const Simplify& command) {
   report["method"] = is_collapsed ? "collapse" : "cluster";
   if (is_collapsed) report["estimated_error_percent"] = 100 * static_cast<double>(simplification.error);
   report["seconds"] = input.is_whole ? seconds : reading.seconds();  // with the sampling
+  if (input.is_whole && !input.geometry.triangles.empty())
+    report.update(connections_report(input.geometry, coarse, command.files.output));
   if (!input.is_whole) report["peak_memory_bytes"] = peak_memory();
   if (!command.reference.empty()) {
     report["topology"] = topology_report(coarse);
