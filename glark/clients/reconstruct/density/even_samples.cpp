@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "glark/clients/reconstruct/density/outliers.h"
 
@@ -41,10 +40,9 @@ std::vector<std::uint32_t> sparse_entries(const std::vector<Entry>& entries, dou
 
 std::vector<std::uint32_t> outliers_of(const Neighbours& neighbours, const Sampling& sampling, float noise,
                                        const Workers& workers) {
-  std::vector<std::uint32_t> all(neighbours.size());
-  std::iota(all.begin(), all.end(), 0U);
   constexpr auto factor = static_cast<float>(sparse_spacings * sparse_spacings);
-  return outliers_among(all, neighbours, factor * sampling.sixth_square, noise, workers);
+  const float sparse = factor * sampling.sixth_square;
+  return outliers_among(suspects_of(neighbours, sparse, noise, workers), neighbours, sparse, noise, workers);
 }
 
 // removed: in ascending order.

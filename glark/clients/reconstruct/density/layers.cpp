@@ -25,7 +25,7 @@ constexpr std::size_t least_in_cell = 4;  // samples of a layer
 constexpr std::size_t least_cells = 4;    // in which two layers meet
 constexpr std::size_t least_share = 20;   // and one in so many cells of the smaller one
 constexpr std::size_t least_part = 64;    // samples of a part that can be a layer
-constexpr double least_layered = 0.1;    // of the cells; with fewer, parts are not looked for
+constexpr double least_layered = 0.1;     // of the cells; with fewer, parts are not looked for
 constexpr std::size_t grain = 1 << 12;
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;

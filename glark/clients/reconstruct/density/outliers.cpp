@@ -27,6 +27,20 @@ constexpr float isolation = 1.3F;        // the distance of the fourth neighbour
 constexpr float flat = 0.07F;
 constexpr std::size_t grain = 256;
 
+// Neighbours that are far away for this noise are not on one plane by chance: random samples would often be.
+float most_height(float distance, float noise) {
+  const float by_noise = noises * noise;
+  return std::min(slope * distance + by_noise, std::max(noisy_slope * distance, by_noise));
+}
+
+// Whether each of two samples lies near the tangent plane of the other, and their normals are similar. apart: the way
+// from one to the other.
+bool agree(Float4 apart, Float4 normal, Float4 other, float noise) {
+  if (!(dot(normal, other) > similar)) return false;
+  const float most = most_height(std::sqrt(dot(apart, apart)), noise);
+  return std::abs(dot(apart, normal)) < most && std::abs(dot(apart, other)) < most;
+}
+
 // What the neighbours of a sample say.
 class Judge {
  public:
@@ -41,10 +55,7 @@ class Judge {
   float fourth() const { return near_.size() < 4 ? 4 : near_[3].square; }
   float sixth() const { return near_.size() < 6 ? 4 : near_[5].square; }
   bool agrees(const Neighbours::Near& other) const {
-    const Float4 apart = neighbours_.point(other.entry) - point_, normal = neighbours_.normal(other.entry);
-    const float most = most_height(std::sqrt(other.square));
-    return dot(normal, normal_) > similar && std::abs(dot(apart, normal)) < most &&
-           std::abs(dot(apart, normal_)) < most;
+    return agree(neighbours_.point(other.entry) - point_, normal_, neighbours_.normal(other.entry), noise_);
   }
   bool is_on_plane_of(const Neighbours::Near& other) const {
     const Float4 apart = neighbours_.point(other.entry) - point_, normal = neighbours_.normal(other.entry);
@@ -75,12 +86,6 @@ class Judge {
   }
 
  private:
-  // Neighbours that are far away for this noise are not on one plane by chance: random samples would often be.
-  float most_height(float distance) const {
-    const float by_noise = noises * noise_;
-    return std::min(slope * distance + by_noise, std::max(noisy_slope * distance, by_noise));
-  }
-
   const Neighbours& neighbours_;
   float noise_;
   std::vector<Neighbours::Near> near_;
@@ -182,6 +187,43 @@ class Search {
 };
 
 }  // namespace
+
+std::vector<std::uint32_t> suspects_of(const Neighbours& neighbours, float sparse, float noise,
+                                       const Workers& workers) {
+  constexpr std::uint32_t most_in_cell = 256;  // because all pairs are looked at
+  constexpr std::uint8_t enough = 5;           // samples that agree
+  std::vector<std::uint32_t> cells{0};         // the first entries of the cells above the finest ones
+  const Level& level = neighbours.finest();
+  for (std::size_t i = 1; i < level.keys.size(); ++i) {
+    if (level.keys[i] >> 3 != level.keys[i - 1] >> 3) cells.push_back(level.begins[i]);
+  }
+  cells.push_back(static_cast<std::uint32_t>(neighbours.size()));
+  std::vector<std::uint8_t> support(neighbours.size());
+  workers.each(cells.size() - 1, grain, [&](std::size_t begin, std::size_t end) {
+    std::vector<Record> records;
+    for (std::size_t cell = begin; cell < end; ++cell) {
+      const std::uint32_t first = cells[cell], count = cells[cell + 1] - first;
+      if (count > most_in_cell) continue;
+      records.clear();
+      for (std::uint32_t i = first; i < first + count; ++i)
+        records.push_back({neighbours.point(i), neighbours.normal(i)});
+      for (std::uint32_t a = 0; a < count; ++a) {
+        for (std::uint32_t b = a + 1; b < count; ++b) {
+          const Float4 apart = records[b].point() - records[a].point();
+          const float square = dot(apart, apart);
+          if (!(square > 0) || square > sparse || !agree(apart, records[a].normal, records[b].normal, noise)) continue;
+          if (support[first + a] < enough) ++support[first + a];
+          if (support[first + b] < enough) ++support[first + b];
+        }
+      }
+    }
+  });
+  std::vector<std::uint32_t> result;
+  for (std::uint32_t i = 0; i < support.size(); ++i) {
+    if (support[i] < enough) result.push_back(i);
+  }
+  return result;
+}
 
 std::vector<std::uint32_t> outliers_among(std::span<const std::uint32_t> suspects, const Neighbours& neighbours,
                                           float sparse, float noise, const Workers& workers) {

@@ -16,6 +16,10 @@
 
 namespace glark::reconstruct {
 
+// Returns the entries that may be outliers, in ascending order. Each of the others has several samples near by, in its
+// own cell, that agree with it. sparse: as below. This is much quicker than looking for the neighbours of all samples.
+std::vector<std::uint32_t> suspects_of(const Neighbours& neighbours, float sparse, float noise, const Workers& workers);
+
 // Returns the outliers among the suspects. suspects: entries in ascending order; all others are taken to be on a
 // surface. sparse: the square of the distance of the sixth neighbour in sparse regions. Denser outliers must be farther from
 // their neighbours than these are from theirs. noise: relative to the cube.
