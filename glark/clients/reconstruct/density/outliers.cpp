@@ -28,6 +28,8 @@ constexpr float flat = 0.07F;
 constexpr float farthest = 3;  // a sample tells about places up to this many distances of its sixth neighbour away
 constexpr float usual = 0.5F;  // the squared distance of the sixth neighbour, relative to that of sparse samples
 constexpr std::ptrdiff_t least_reaching = 6;  // fewer neighbours that tell about a place are too few
+// The greatest share of neighbours without support, where most sparse samples have none.
+constexpr float most_unsupported = 0.7F;
 // A sample that faces away from so many neighbours is an outlier, unless some of its many neighbours agree with it.
 constexpr std::size_t least_surrounding = 9, many_neighbours = 48;
 constexpr float common_normal = 0.55F;  // the least length of their mean normal: at the corner of a box, it is .58
@@ -128,6 +130,7 @@ class Search {
       const Judge judge = judge_of(i);
       supported_[i] = judge.is_supported() && (sixth_[i] <= sparse_ || judge.is_flat()) ? 1 : 0;
     });
+    drop_support_by_chance();
     group();
     std::vector<std::uint8_t> outlying(suspects_.size());
     each([&](std::size_t i, std::vector<Neighbours::Near>& near) {
@@ -198,6 +201,39 @@ class Search {
       neighbours_.find_one_a_cell(suspects_[i], level, near);
       std::erase_if(near, [&](const Neighbours::Near& other) { return !reaches(other); });
       if (near.size() > counts_[i]) keep(i, near);
+    }
+  }
+
+  // Returns whether most of the neighbours of a sparse sample have no support. A few random samples may lie on a plane by
+  // chance, but on a surface most samples have support.
+  bool is_among_unsupported(std::size_t i) const {
+    if (sixth_[i] <= sparse_) return false;
+    const Judge::Nears near = near_of(i);
+    const auto others = std::count_if(near.begin(), near.end(), [&](const Neighbours::Near& other) {
+      const std::optional<std::size_t> which = suspect(other.entry);
+      return which && supported_[*which] == 0;
+    });
+    return static_cast<float>(others) > most_unsupported * static_cast<float>(near.size());
+  }
+
+  // Takes support from sparse samples among outliers. This may leave their neighbours without support, too.
+  void drop_support_by_chance() {
+    std::size_t sparse = 0, unsupported = 0;
+    for (std::size_t i = 0; i < suspects_.size(); ++i) {
+      sparse += sixth_[i] > sparse_ ? 1 : 0;
+      unsupported += sixth_[i] > sparse_ && supported_[i] == 0 ? 1 : 0;
+    }
+    std::vector<std::uint8_t> by_chance(suspects_.size());
+    for (bool any = 2 * unsupported > sparse; any;) {
+      each([&](std::size_t i, std::vector<Neighbours::Near>&) {
+        by_chance[i] = supported_[i] != 0 && is_among_unsupported(i) ? 1 : 0;
+      });
+      any = false;
+      for (std::size_t i = 0; i < suspects_.size(); ++i) {
+        if (by_chance[i] == 0) continue;
+        supported_[i] = 0;
+        any = true;
+      }
     }
   }
 
