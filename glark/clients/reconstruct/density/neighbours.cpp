@@ -11,6 +11,7 @@
 namespace glark::reconstruct {
 namespace {
 
+constexpr std::int32_t cells_away = 3;
 constexpr std::size_t together = 4;  // the least number of samples in the cells of most samples
 
 // Returns the finest level on which half of the samples share their cell with others. Outliers have cells of their own,
@@ -28,12 +29,12 @@ unsigned level_of_most(const std::vector<Entry>& entries) {
 
 }  // namespace
 
-CellBox cells_around(const CellIndex& cell, unsigned level) {
+CellBox cells_around(const CellIndex& cell, unsigned level, std::int32_t away) {
   const std::int32_t last = (1 << level) - 1;
   CellBox box;
   for (unsigned i = 0; i < 3; ++i) {
-    box.low[i] = std::max(cell[i] - 1, 0);
-    box.high[i] = std::min(cell[i] + 1, last);
+    box.low[i] = std::max(cell[i] - away, 0);
+    box.high[i] = std::min(cell[i] + away, last);
   }
   return box;
 }
@@ -77,6 +78,33 @@ void Neighbours::find(std::uint32_t entry, std::size_t count, std::vector<Near>&
   count = std::min(count, out.size());
   std::partial_sort(out.begin(), out.begin() + static_cast<std::ptrdiff_t>(count), out.end());
   out.resize(count);
+}
+
+std::size_t Neighbours::level_for(float side) const {
+  std::size_t level = 0;
+  while (level + 1 < levels_.size() && levels_[level + 1].side() <= side) ++level;
+  return level;
+}
+
+void Neighbours::find_one_a_cell(std::uint32_t entry, std::size_t level, std::vector<Near>& out) const {
+  const Level& cells = levels_[level];
+  const unsigned shift = 3 * (cell_levels - cells.level);
+  const Float4 here = point(entry);
+  out.clear();
+  cells.blocks.each(cells_around(cell_of(here, cells.level), cells.level, cells_away),
+                    [&](std::uint32_t begin, std::uint32_t end) {
+                      while (begin < end) {
+                        const Float4 apart = point(begin) - here;
+                        const float square = dot(apart, apart);
+                        if (square > 0) out.push_back({square, begin});
+                        const std::uint64_t cell = entries_[begin].key >> shift;
+                        begin = static_cast<std::uint32_t>(
+                            std::partition_point(entries_.begin() + begin, entries_.begin() + end,
+                                                 [&](const Entry& other) { return other.key >> shift == cell; }) -
+                            entries_.begin());
+                      }
+                    });
+  std::sort(out.begin(), out.end());
 }
 
 }  // namespace glark::reconstruct

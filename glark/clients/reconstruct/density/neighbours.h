@@ -34,6 +34,14 @@ class Neighbours {
   // level, some may be missing.
   void find(std::uint32_t entry, std::size_t count, std::vector<Near>& out) const;
 
+  // The octree's levels: 0 is the finest, levels() - 1 is the root.
+  std::size_t levels() const { return levels_.size(); }
+  // Returns the coarsest level whose cells are not wider than `side`, or the finest level.
+  std::size_t level_for(float side) const;
+  // Sets `out` to one sample of each cell around a sample, up to three cells away, the nearest first. So dense parts do
+  // not hide sparse ones.
+  void find_one_a_cell(std::uint32_t entry, std::size_t level, std::vector<Near>& out) const;
+
  private:
   std::uint32_t last_alike(std::uint32_t entry, std::uint32_t end) const;
 
@@ -45,7 +53,7 @@ class Neighbours {
   std::vector<Level> levels_;  // the finest first, down to the root
 };
 
-// The cells around a cell, within the root.
-CellBox cells_around(const CellIndex& cell, unsigned level);
+// The cells around a cell, up to `away` cells away, within the root.
+CellBox cells_around(const CellIndex& cell, unsigned level, std::int32_t away = 1);
 
 }  // namespace glark::reconstruct

@@ -25,6 +25,14 @@ constexpr float isolation = 1.3F;        // the distance of the fourth neighbour
 // The variance of a sample and its neighbours along the direction in which they vary least, relative to the sum over
 // all directions. Random samples seldom have less, although estimated normals agree among them.
 constexpr float flat = 0.07F;
+constexpr float farthest = 3;  // a sample tells about places up to this many distances of its sixth neighbour away
+constexpr float usual = 0.5F;  // the squared distance of the sixth neighbour, relative to that of sparse samples
+constexpr std::ptrdiff_t least_reaching = 6;  // fewer neighbours that tell about a place are too few
+// The greatest share of neighbours without support, where most sparse samples have none.
+constexpr float most_unsupported = 0.7F;
+// A sample that faces away from so many neighbours is an outlier, unless some of its many neighbours agree with it.
+constexpr std::size_t least_surrounding = 9, many_neighbours = 48;
+constexpr float common_normal = 0.55F;  // the least length of their mean normal: at the corner of a box, it is .58
 constexpr std::size_t grain = 256;
 
 // Neighbours that are far away for this noise are not on one plane by chance: random samples would often be.
@@ -44,16 +52,17 @@ bool agree(Float4 apart, Float4 normal, Float4 other, float noise) {
 // What the neighbours of a sample say.
 class Judge {
  public:
+  using Nears = std::span<const Neighbours::Near>;  // the nearest first
+
   Judge(const Neighbours& neighbours, float noise) : neighbours_(neighbours), noise_(noise) {}
 
-  void look_at(std::uint32_t entry) {
-    neighbours_.find(entry, neighbours_each, near_);
+  // near: outlives the use of this judge.
+  void look_at(std::uint32_t entry, Nears near) {
+    near_ = near;
     point_ = neighbours_.point(entry);
     normal_ = neighbours_.normal(entry);
   }
-  const std::vector<Neighbours::Near>& near() const { return near_; }
-  float fourth() const { return near_.size() < 4 ? 4 : near_[3].square; }
-  float sixth() const { return near_.size() < 6 ? 4 : near_[5].square; }
+  Nears near() const { return near_; }
   bool agrees(const Neighbours::Near& other) const {
     return agree(neighbours_.point(other.entry) - point_, normal_, neighbours_.normal(other.entry), noise_);
   }
@@ -88,9 +97,13 @@ class Judge {
  private:
   const Neighbours& neighbours_;
   float noise_;
-  std::vector<Neighbours::Near> near_;
+  Nears near_;
   Float4 point_{}, normal_{};
 };
+
+float square_of(std::span<const Neighbours::Near> near, std::size_t which) {
+  return near.size() < which ? 4 : near[which - 1].square;
+}
 
 class Search {
  public:
@@ -101,18 +114,33 @@ class Search {
         sparse_(sparse),
         noise_(noise),
         workers_(workers),
-        supported_(suspects.size()),
+        near_(suspects.size() * neighbours_each),
+        counts_(suspects.size()),
         fourth_(suspects.size()),
+        sixth_(suspects.size()),
+        isolated_(suspects.size()),
+        supported_(suspects.size()),
         groups_(suspects.size() + 1) {}
 
   std::vector<std::uint32_t> run() {
-    each([&](std::size_t i, Judge& judge) {
-      supported_[i] = judge.is_supported() && (judge.sixth() <= sparse_ || judge.is_flat()) ? 1 : 0;
-      fourth_[i] = judge.fourth();
+    each([&](std::size_t i, std::vector<Neighbours::Near>& near) {
+      neighbours_.find(suspects_[i], neighbours_each, near);
+      keep(i, near);
+      fourth_[i] = square_of(near, 4);
+      sixth_[i] = square_of(near, 6);
     });
+    each([&](std::size_t i, std::vector<Neighbours::Near>& near) {
+      isolated_[i] = is_isolated(i) ? 1 : 0;
+      look_farther(i, near);
+      const Judge judge = judge_of(i);
+      supported_[i] = judge.is_supported() && (sixth_[i] <= sparse_ || judge.is_flat()) ? 1 : 0;
+    });
+    drop_support_by_chance();
     group();
     std::vector<std::uint8_t> outlying(suspects_.size());
-    each([&](std::size_t i, Judge& judge) { outlying[i] = is_outlier(i, judge) ? 1 : 0; });
+    each([&](std::size_t i, std::vector<Neighbours::Near>& near) {
+      outlying[i] = kept_[i] == 0 && (isolated_[i] != 0 ? !is_beside_kept(i) : contradicts(i, near)) ? 1 : 0;
+    });
     std::vector<std::uint32_t> result;
     for (std::size_t i = 0; i < suspects_.size(); ++i) {
       if (outlying[i] != 0) result.push_back(suspects_[i]);
@@ -124,12 +152,20 @@ class Search {
   template <typename Body>
   void each(const Body& body) const {
     workers_.each(suspects_.size(), grain, [&](std::size_t begin, std::size_t end) {
-      Judge judge(neighbours_, noise_);
-      for (std::size_t i = begin; i < end; ++i) {
-        judge.look_at(suspects_[i]);
-        body(i, judge);
-      }
+      std::vector<Neighbours::Near> near;
+      for (std::size_t i = begin; i < end; ++i) body(i, near);
     });
+  }
+
+  void keep(std::size_t i, std::span<const Neighbours::Near> near) {
+    counts_[i] = static_cast<std::uint8_t>(std::min(near.size(), neighbours_each));
+    std::copy_n(near.begin(), counts_[i], &near_[i * neighbours_each]);
+  }
+  Judge::Nears near_of(std::size_t i) const { return {&near_[i * neighbours_each], counts_[i]}; }
+  Judge judge_of(std::size_t i) const {
+    Judge judge(neighbours_, noise_);
+    judge.look_at(suspects_[i], near_of(i));
+    return judge;
   }
 
   std::optional<std::size_t> suspect(std::uint32_t entry) const {
@@ -138,18 +174,85 @@ class Search {
     return static_cast<std::size_t>(at - suspects_.begin());
   }
 
+  bool is_isolated(std::size_t i) const {
+    if (sixth_[i] > sparse_) return true;
+    int count = 0;
+    float sum = 0;
+    for (const Neighbours::Near& other : near_of(i)) {
+      const std::optional<std::size_t> which = suspect(other.entry);
+      if (!which) continue;
+      sum += std::sqrt(fourth_[*which]);
+      ++count;
+    }
+    return std::sqrt(fourth_[i]) * static_cast<float>(count) > isolation * sum;
+  }
+
+  // Returns whether the distance of another sample is one that it has from its own neighbours. If not, a surface of
+  // samples as dense as the other one would have more of them in between: it says nothing about this place.
+  bool reaches(const Neighbours::Near& other) const {
+    const std::optional<std::size_t> which = suspect(other.entry);
+    return other.square < farthest * farthest * (which ? sixth_[*which] : usual * sparse_);
+  }
+
+  // The nearest neighbours of an outlier beside the boundary of a surface are samples of the surface. The outlier may lie
+  // on their planes by chance. So a sample far from them needs others that are as far apart as it is.
+  void look_farther(std::size_t i, std::vector<Neighbours::Near>& near) {
+    const Judge::Nears nearest = near_of(i);
+    const auto can_reach = [&](const Neighbours::Near& other) { return reaches(other); };
+    if (std::count_if(nearest.begin(), nearest.end(), can_reach) >= least_reaching) return;
+    const std::size_t first = neighbours_.level_for(std::sqrt(square_of(nearest, 1)));
+    counts_[i] = 0;
+    for (std::size_t level = first; level < neighbours_.levels() && counts_[i] < neighbours_each; ++level) {
+      neighbours_.find_one_a_cell(suspects_[i], level, near);
+      std::erase_if(near, [&](const Neighbours::Near& other) { return !reaches(other); });
+      if (near.size() > counts_[i]) keep(i, near);
+    }
+  }
+
+  // Returns whether most of the neighbours of a sparse sample have no support. A few random samples may lie on a plane by
+  // chance, but on a surface most samples have support.
+  bool is_among_unsupported(std::size_t i) const {
+    if (sixth_[i] <= sparse_) return false;
+    const Judge::Nears near = near_of(i);
+    const auto others = std::count_if(near.begin(), near.end(), [&](const Neighbours::Near& other) {
+      const std::optional<std::size_t> which = suspect(other.entry);
+      return which && supported_[*which] == 0;
+    });
+    return static_cast<float>(others) > most_unsupported * static_cast<float>(near.size());
+  }
+
+  // Takes support from sparse samples among outliers. This may leave their neighbours without support, too.
+  void drop_support_by_chance() {
+    std::size_t sparse = 0, unsupported = 0;
+    for (std::size_t i = 0; i < suspects_.size(); ++i) {
+      sparse += sixth_[i] > sparse_ ? 1 : 0;
+      unsupported += sixth_[i] > sparse_ && supported_[i] == 0 ? 1 : 0;
+    }
+    std::vector<std::uint8_t> by_chance(suspects_.size());
+    for (bool any = 2 * unsupported > sparse; any;) {
+      each([&](std::size_t i, std::vector<Neighbours::Near>&) {
+        by_chance[i] = supported_[i] != 0 && is_among_unsupported(i) ? 1 : 0;
+      });
+      any = false;
+      for (std::size_t i = 0; i < suspects_.size(); ++i) {
+        if (by_chance[i] == 0) continue;
+        supported_[i] = 0;
+        any = true;
+      }
+    }
+  }
+
   // Joins supported suspects that agree. The last set is that of all samples that are no suspects.
   void group() {
-    Judge judge(neighbours_, noise_);
     const auto others = static_cast<std::uint32_t>(suspects_.size());
     for (std::uint32_t i = 0; i < suspects_.size(); ++i) {
       if (supported_[i] == 0) continue;
-      judge.look_at(suspects_[i]);
+      const Judge judge = judge_of(i);
       for (const Neighbours::Near& other : judge.near()) {
         const std::optional<std::size_t> which = suspect(other.entry);
         if (which && (supported_[*which] == 0 || groups_.find(i) == groups_.find(static_cast<std::uint32_t>(*which))))
           continue;
-        if (judge.agrees(other)) groups_.join(i, which ? static_cast<std::uint32_t>(*which) : others);
+        if (reaches(other) && judge.agrees(other)) groups_.join(i, which ? static_cast<std::uint32_t>(*which) : others);
       }
     }
     std::vector<std::size_t> sizes(suspects_.size() + 1);
@@ -160,29 +263,42 @@ class Search {
       kept_[i] = supported_[i] != 0 && sizes[groups_.find(i)] >= least_group ? 1 : 0;
   }
 
-  bool is_outlier(std::size_t i, const Judge& judge) const {
-    if (kept_[i] != 0) return false;
-    int planes = 0, count = 0;
-    float sum = 0;
-    for (const Neighbours::Near& other : judge.near()) {
+  // Returns whether the sample lies on planes of samples that are kept.
+  bool is_beside_kept(std::size_t i) const {
+    const Judge judge = judge_of(i);
+    return std::count_if(judge.near().begin(), judge.near().end(), [&](const Neighbours::Near& other) {
+             const std::optional<std::size_t> which = suspect(other.entry);
+             return (!which || kept_[*which] != 0) && reaches(other) && judge.is_on_plane_of(other);
+           }) >= least_planes;
+  }
+
+  // Returns whether the sample lies in a surface and faces away from it. It would look like another, thin sheet.
+  bool contradicts(std::size_t i, std::vector<Neighbours::Near>& near) const {
+    Float4 normals{};
+    std::size_t count = 0;
+    for (const Neighbours::Near& other : near_of(i)) {
       const std::optional<std::size_t> which = suspect(other.entry);
-      if (which) {
-        sum += std::sqrt(fourth_[*which]);
-        ++count;
-      }
-      if ((!which || kept_[*which] != 0) && judge.is_on_plane_of(other)) ++planes;
+      if (which && kept_[*which] == 0) continue;
+      normals += neighbours_.normal(other.entry);
+      ++count;
     }
-    if (planes >= least_planes) return false;
-    const bool is_sparse = judge.sixth() > sparse_;
-    return is_sparse || std::sqrt(judge.fourth()) * static_cast<float>(count) > isolation * sum;
+    const auto least = common_normal * static_cast<float>(count);
+    if (count < least_surrounding || dot(normals, normals) < least * least) return false;
+    if (dot(neighbours_.normal(suspects_[i]), normals) > 0) return false;
+    neighbours_.find(suspects_[i], many_neighbours, near);
+    Judge judge(neighbours_, noise_);
+    judge.look_at(suspects_[i], near);
+    return !judge.is_supported();
   }
 
   std::span<const std::uint32_t> suspects_;
   const Neighbours& neighbours_;
   float sparse_, noise_;
   const Workers& workers_;
-  std::vector<std::uint8_t> supported_, kept_;
-  std::vector<float> fourth_;
+  std::vector<Neighbours::Near> near_;  // [neighbours_each * suspects], of which the first counts_[i] are set
+  std::vector<std::uint8_t> counts_;
+  std::vector<float> fourth_, sixth_;  // squared distances of the fourth and sixth neighbour
+  std::vector<std::uint8_t> isolated_, supported_, kept_;
   DisjointSets groups_;
 };
 
@@ -236,9 +352,12 @@ Sampling look_at_some(const Neighbours& neighbours, float noise, const Workers& 
   std::vector<float> squares(count);  // -1 without support
   workers.each(count, grain, [&](std::size_t begin, std::size_t end) {
     Judge judge(neighbours, noise);
+    std::vector<Neighbours::Near> near;
     for (std::size_t i = begin; i < end; ++i) {
-      judge.look_at(static_cast<std::uint32_t>(i * neighbours.size() / count));
-      squares[i] = judge.is_supported() ? judge.sixth() : -1;
+      const auto entry = static_cast<std::uint32_t>(i * neighbours.size() / count);
+      neighbours.find(entry, neighbours_each, near);
+      judge.look_at(entry, near);
+      squares[i] = judge.is_supported() ? square_of(near, 6) : -1;
     }
   });
   std::erase(squares, -1.0F);

@@ -7,6 +7,9 @@
 // their normals are similar. In sparse regions, its neighbours must also lie near to a plane. Groups of supported
 // samples that are larger than chance makes them are parts of a surface, however sparse. A sample beside such a part
 // belongs to it if it lies on the planes of some of its samples, as corners do.
+//
+// Dense samples tell nothing about places far from them: a surface would have more samples there. So an outlier beside
+// the boundary of a surface does not belong to it. A sample in a surface that faces away from it is an outlier, too.
 #pragma once
 
 #include <span>
