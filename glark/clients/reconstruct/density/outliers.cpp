@@ -307,7 +307,7 @@ class Search {
 std::vector<std::uint32_t> suspects_of(const Neighbours& neighbours, float sparse, float noise,
                                        const Workers& workers) {
   constexpr std::uint32_t most_in_cell = 256;  // because all pairs are looked at
-  constexpr std::uint8_t enough = 5;           // samples that agree
+  constexpr std::uint8_t enough = 7;           // samples that agree
   std::vector<std::uint32_t> cells{0};         // the first entries of the cells above the finest ones
   const Level& level = neighbours.finest();
   for (std::size_t i = 1; i < level.keys.size(); ++i) {
@@ -327,7 +327,8 @@ std::vector<std::uint32_t> suspects_of(const Neighbours& neighbours, float spars
         for (std::uint32_t b = a + 1; b < count; ++b) {
           const Float4 apart = records[b].point() - records[a].point();
           const float square = dot(apart, apart);
-          if (!(square > 0) || square > sparse || !agree(apart, records[a].normal, records[b].normal, noise)) continue;
+          if (!(square > 0) || square > usual * sparse || !agree(apart, records[a].normal, records[b].normal, noise))
+            continue;
           if (support[first + a] < enough) ++support[first + a];
           if (support[first + b] < enough) ++support[first + b];
         }
