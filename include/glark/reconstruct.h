@@ -69,6 +69,10 @@ struct Reconstructed {
 // Errors: vstree::Error, as from vstree::Tree.
 GLARK_EXPORT Reconstructed reconstruct(const vstree::PointSet& points, const ReconstructOptions& options = {});
 
+// Returns the indices of the samples that lie on no surface, in ascending order. reconstruct() leaves them out. A cloud
+// without a surface has none. Errors: as from reconstruct().
+GLARK_EXPORT std::vector<std::uint32_t> find_outliers(const vstree::PointSet& points, unsigned threads = 0);
+
 }  // namespace glark::reconstruct
 
 // Deprecated: the former names.

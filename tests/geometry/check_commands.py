@@ -9,6 +9,7 @@ import math
 import pathlib
 import pty
 import os
+import random
 import shutil
 import subprocess
 import unittest
@@ -146,6 +147,24 @@ class Commands(CommandCase):
         kept = self.report("strip", self.sphere, "-o", "kept.ply", "--keep-edges")
         self.assertEqual(report["output"]["triangles"], kept["output"]["triangles"])
         self.assertLess(report["indices"], kept["indices"])
+        self.assertEqual(0, report["outliers"])
+
+    def test_strips_do_not_join_outliers(self):
+        self.needs("strip")
+        self.needs("reconstruct")
+        points, _ = sphere(70)
+        for seed in (1, 2, 3):
+            chance = random.Random(seed)
+            outliers = [tuple(chance.uniform(-1.5, 1.5) for _ in range(3)) for _ in range(len(points) // 50)]
+            cloud = write_ply(self.path / "cloud.ply", points + outliers, [])
+            report = self.report("strip", cloud, "-o", "strips.ply", "--measure", self.sphere)
+            self.assertEqual(len(points) + len(outliers), report["output"]["points"])
+            self.assertGreater(report["outliers"], 0.9 * len(outliers))
+            self.assertLess(report["outliers"], 1.02 * len(outliers))
+            self.assertLess(report["quality"]["hausdorff_percent"], 3)
+            self.assertLess(report["quality"]["rms_percent"], 0.3)
+            done = self.glark("strip", cloud, "-o", "strips.ply")
+            self.assertIn("lie on no surface", done.stderr)
 
     def test_wrong_words(self):
         for arguments in (["info", "--nonsense"], ["simplify"], ["strip", "a.ply"], ["strip", "a.ply", "-o", "b.ply", "--reach", "-1"]):

@@ -162,6 +162,19 @@ TEST(Outliers, OneSampleFarAwayIsOne) {
   EXPECT_EQ(reconstruct(shape.points(), {.levels = 0}).outliers, 1U);
 }
 
+TEST(Outliers, AreNamed) {
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    const Cover cover = cover_with_outliers(seed, 0, 0.02);
+    const std::vector<std::uint32_t> found = find_outliers({.positions = cover.positions, .normals = cover.normals});
+    EXPECT_TRUE(std::is_sorted(found.begin(), found.end()));
+    const auto real = std::count_if(found.begin(), found.end(), [](std::uint32_t i) { return i >= samples; });
+    EXPECT_GT(real, static_cast<std::ptrdiff_t>(0.9 * 0.02 * samples));
+    EXPECT_LT(static_cast<double>(found.size()) - static_cast<double>(real), 0.001 * samples);
+  }
+  EXPECT_TRUE(find_outliers({}).empty());
+  EXPECT_THROW(find_outliers({.positions = std::vector<float>(4)}), vstree::Error);
+}
+
 // Fog has no surface, so there is nothing from which a sample could lie apart.
 TEST(Outliers, AreNotMostOfTheSamples) {
   const shapes::Cloud cloud = shapes::fog(3, 5000);

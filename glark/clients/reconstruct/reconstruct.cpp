@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "glark/clients/common/points/point_set.h"
+#include "glark/clients/reconstruct/density/all_outliers.h"
 #include "glark/clients/reconstruct/density/even_samples.h"
 #include "glark/clients/reconstruct/density/layers.h"
 #include "glark/clients/reconstruct/mesh/refinement.h"
@@ -67,6 +68,15 @@ class ReconstructError final : public vstree::Error {
  private:
   std::string text_;
 };
+
+// Returns the samples with their normals, or else with estimated ones, which the caller keeps.
+PointSet with_normals(const PointSet& given, unsigned threads, std::vector<float>& estimated) {
+  PointSet points = given;
+  if (!points.normals.empty()) return points;
+  estimated = vstree::estimate_normals(points, {.threads = threads});
+  points.normals = estimated;
+  return points;
+}
 
 Reconstructed mesh_of_layer(const PointSet& points, SortedSamples sorted, const ReconstructOptions& options,
                             const Workers& workers) {
@@ -130,12 +140,8 @@ Reconstructed mesh_of(const PointSet& given, const ReconstructOptions& options) 
   const Workers workers(options.threads);
   check(options);
   check(given, workers);
-  PointSet points = given;
   std::vector<float> estimated;
-  if (points.normals.empty()) {
-    estimated = vstree::estimate_normals(points, {.threads = options.threads});
-    points.normals = estimated;
-  }
+  const PointSet points = with_normals(given, options.threads, estimated);
   EvenSamples even(points, workers);
   SortedSamples sorted = even.take_sorted();
   Reconstructed result;
@@ -155,6 +161,17 @@ Reconstructed mesh_of(const PointSet& given, const ReconstructOptions& options) 
 Reconstructed reconstruct(const PointSet& points, const ReconstructOptions& options) {
   try {
     return mesh_of(points, options);
+  } catch (const vstree::Error& error) {
+    throw ReconstructError(error);
+  }
+}
+
+std::vector<std::uint32_t> find_outliers(const PointSet& points, unsigned threads) {
+  try {
+    const Workers workers(threads);
+    check(points, workers);
+    std::vector<float> estimated;
+    return all_outliers(with_normals(points, threads, estimated), workers);
   } catch (const vstree::Error& error) {
     throw ReconstructError(error);
   }

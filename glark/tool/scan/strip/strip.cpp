@@ -5,10 +5,16 @@
 #include <fmt/format.h>
 
 #include <glark/surfel.h>
+#if GLARK_HAS_RECONSTRUCT
+#include <glark/reconstruct.h>
+#endif
 
+#include <algorithm>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "glark/tool/scan/commands.h"
 #include "glark/tool/scan/files.h"
@@ -52,38 +58,91 @@ geometry::Geometry read_points(const Strip& command, bool& is_whole) {
   return load(command.files.input, command.files);
 }
 
+// The strips of the points, without outliers.
+struct Stripped {
+  std::optional<surfel::Strips> strips;
+  std::vector<std::uint32_t> points;  // the point of the file for each point of the strips; empty: they are the same
+  std::size_t outliers = 0;
+
+  std::uint32_t point_of(std::uint32_t index) const { return points.empty() ? index : points[index]; }
+};
+
 // Adds the strip of a leaf. Adds its triangles without the degenerate ones, which only join parts of the strip.
-void add_strip(geometry::Geometry& geometry, std::span<const std::uint32_t> strip) {
-  geometry.strips.insert(geometry.strips.end(), strip.begin(), strip.end());
+void add_strip(geometry::Geometry& geometry, const Stripped& stripped, std::span<const std::uint32_t> strip) {
+  const std::size_t first = geometry.strips.size();
+  for (const std::uint32_t index : strip) geometry.strips.push_back(stripped.point_of(index));
   geometry.strip_sizes.push_back(static_cast<std::uint32_t>(strip.size()));
   for (std::size_t i = 2; i < strip.size(); ++i) {
-    const std::uint32_t a = strip[i - 2];
-    const std::uint32_t b = strip[i - 1];
-    const std::uint32_t c = strip[i];
+    const std::uint32_t a = geometry.strips[first + i - 2];
+    const std::uint32_t b = geometry.strips[first + i - 1];
+    const std::uint32_t c = geometry.strips[first + i];
     if (a == b || b == c || c == a) continue;
     const bool turned = i % 2 == 1;
     geometry.triangles.insert(geometry.triangles.end(), {a, turned ? c : b, turned ? b : c});
   }
 }
 
-// Adds the strips of the points to `geometry`.
-surfel::Counts add_strips(const Strip& command, geometry::Geometry& geometry, double& seconds) {
-  std::optional<surfel::Strips> strips;
-  {
-    Progress progress("stripping");
-    progress.show(-1);
-    surfel::Options options = command.options;
-    options.levels = command.level + 1;
-    strips.emplace(surfel::Cloud{geometry.positions, geometry.normals}, options);
-    seconds = progress.seconds();
+#if GLARK_HAS_RECONSTRUCT
+// Returns whether so many points have no triangles that there may be outliers.
+bool may_have_outliers(const surfel::Strips& strips) {
+  constexpr double least_share = 0.001;
+  std::vector<bool> is_connected(strips.point_count());
+  for (const surfel::Node& node : strips.nodes(0)) {
+    if (node.left != surfel::none) continue;
+    for (const std::uint32_t i : strips.indices().subspan(node.first, node.count)) is_connected[i] = true;
   }
-  const unsigned level = std::min(command.level, strips->level_count() - 1);
+  const auto without = std::count(is_connected.begin(), is_connected.end(), false);
+  return static_cast<double>(without) > least_share * static_cast<double>(is_connected.size());
+}
+
+// Makes the strips again without the outliers, if there are any. They would be joined by large triangles.
+void strip_without_outliers(const geometry::Geometry& geometry, const surfel::Options& options, Stripped& stripped) {
+  const std::vector<std::uint32_t> outliers =
+      reconstruct::find_outliers({.positions = geometry.positions, .normals = geometry.normals}, options.threads);
+  if (outliers.empty()) return;
+  std::vector<float> positions, normals;
+  for (std::uint32_t i = 0, next = 0; i < geometry.point_count(); ++i) {
+    if (next < outliers.size() && outliers[next] == i) {
+      ++next;
+      continue;
+    }
+    stripped.points.push_back(i);
+    positions.insert(positions.end(), &geometry.positions[3 * std::size_t{i}],
+                     &geometry.positions[3 * std::size_t{i}] + 3);
+    if (!geometry.normals.empty())
+      normals.insert(normals.end(), &geometry.normals[3 * std::size_t{i}], &geometry.normals[3 * std::size_t{i}] + 3);
+  }
+  stripped.outliers = outliers.size();
+  stripped.strips.emplace(surfel::Cloud{positions, normals}, options);
+}
+#endif
+
+Stripped strips_of(const geometry::Geometry& geometry, const surfel::Options& options, double& seconds) {
+  Stripped result;
+  Progress progress("stripping");
+  progress.show(-1);
+  result.strips.emplace(surfel::Cloud{geometry.positions, geometry.normals}, options);
+#if GLARK_HAS_RECONSTRUCT
+  if (may_have_outliers(*result.strips)) strip_without_outliers(geometry, options, result);
+#endif
+  seconds = progress.seconds();
+  return result;
+}
+
+// Adds the strips of the points to `geometry`.
+surfel::Counts add_strips(const Strip& command, geometry::Geometry& geometry, std::size_t& outliers, double& seconds) {
+  surfel::Options options = command.options;
+  options.levels = command.level + 1;
+  const Stripped stripped = strips_of(geometry, options, seconds);
+  outliers = stripped.outliers;
+  const surfel::Strips& strips = *stripped.strips;
+  const unsigned level = std::min(command.level, strips.level_count() - 1);
   if (level < command.level)
     warn(fmt::format("there are fewer levels of detail; the coarsest one, {}, is used", level));
-  for (const surfel::Node& node : strips->nodes(level))
+  for (const surfel::Node& node : strips.nodes(level))
     if (node.left == surfel::none && node.count > 0)
-      add_strip(geometry, strips->indices().subspan(node.first, node.count));
-  return strips->counts(level);
+      add_strip(geometry, stripped, strips.indices().subspan(node.first, node.count));
+  return strips.counts(level);
 }
 
 void strip(const Strip& command) {
@@ -93,12 +152,16 @@ void strip(const Strip& command) {
   geometry.triangles = {};
   if (geometry.normals.empty()) warn(command.files.input + ": it has no normals, so strips have no common orientation");
   double seconds = 0;
-  const surfel::Counts counts = add_strips(command, geometry, seconds);
+  std::size_t outliers = 0;
+  const surfel::Counts counts = add_strips(command, geometry, outliers, seconds);
   if (geometry.strips.empty())
     throw geometry::Error(
         command.files.input +
         ": its points have no neighbours on a surface, or are too noisy for one, so there are no strips and nothing is "
         "written; allow longer edges by --reach, or show the points by glark view --mode splat");
+  if (outliers > 0)
+    warn(fmt::format("{}: {} of {} points lie on no surface, as their neighbours show; they stay points",
+                     command.files.input, outliers, geometry.point_count()));
   if (counts.loose_points > 0)
     warn(fmt::format("{}: {} of {} points lie in parts that are too noisy for a surface; they stay points",
                      command.files.input, counts.loose_points, geometry.point_count()));
@@ -107,6 +170,7 @@ void strip(const Strip& command) {
   report["output"] = contents_of(geometry);
   report["strips"] = counts.strips;
   report["loose_points"] = counts.loose_points;
+  report["outliers"] = outliers;
   report["indices"] = counts.indices;
   if (!geometry.triangles.empty())
     report["indices_per_triangle"] =
