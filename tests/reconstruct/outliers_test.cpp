@@ -100,7 +100,7 @@ TEST(Outliers, MakeNoFlapsAtTheBoundaryOfASheet) {
 // support.
 TEST(Outliers, MakeNoSheetsByChance) {
   for (const unsigned seed : {1U, 2U, 3U, 4U}) {
-    for (const auto& [share, noise] : {std::pair{0.05, 0.0}, {0.1, 0.0}, {0.2, 0.001}}) {
+    for (const auto& [share, noise] : {std::pair{0.05, 0.0}, {0.1, 0.0}, {0.1, 0.001}}) {
       SCOPED_TRACE(std::to_string(seed) + ", " + std::to_string(share) + ", noise " + std::to_string(noise));
       const Cover cover = cover_with_outliers(seed, noise, share);
       expect_near(cover, reconstruct({.positions = cover.positions}, {.levels = 1}), noise);

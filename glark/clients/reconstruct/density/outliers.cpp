@@ -26,7 +26,6 @@ constexpr float isolation = 1.3F;        // the distance of the fourth neighbour
 // all directions. Random samples seldom have less, although estimated normals agree among them.
 constexpr float flat = 0.07F;
 constexpr float farthest = 3;  // a sample tells about places up to this many distances of its sixth neighbour away
-constexpr float usual = 0.5F;  // the squared distance of the sixth neighbour, relative to that of sparse samples
 constexpr std::ptrdiff_t least_reaching = 6;  // fewer neighbours that tell about a place are too few
 // The greatest share of neighbours without support, where most sparse samples have none.
 constexpr float most_unsupported = 0.7F;
@@ -188,10 +187,11 @@ class Search {
   }
 
   // Returns whether the distance of another sample is one that it has from its own neighbours. If not, a surface of
-  // samples as dense as the other one would have more of them in between: it says nothing about this place.
+  // samples as dense as the other one would have more of them in between: it says nothing about this place. A sample that
+  // is no suspect is not sparse.
   bool reaches(const Neighbours::Near& other) const {
     const std::optional<std::size_t> which = suspect(other.entry);
-    return other.square < farthest * farthest * (which ? sixth_[*which] : usual * sparse_);
+    return other.square < farthest * farthest * (which ? sixth_[*which] : sparse_);
   }
 
   // The nearest neighbours of an outlier beside the boundary of a surface are samples of the surface. The outlier may lie
