@@ -306,6 +306,7 @@ class Search {
 
 std::vector<std::uint32_t> suspects_of(const Neighbours& neighbours, float sparse, float noise,
                                        const Workers& workers) {
+  constexpr float near = 0.5F;                 // the squared distance of samples that agree, relative to `sparse`
   constexpr std::uint32_t most_in_cell = 256;  // because all pairs are looked at
   constexpr std::uint8_t enough = 7;           // samples that agree
   std::vector<std::uint32_t> cells{0};         // the first entries of the cells above the finest ones
@@ -327,7 +328,7 @@ std::vector<std::uint32_t> suspects_of(const Neighbours& neighbours, float spars
         for (std::uint32_t b = a + 1; b < count; ++b) {
           const Float4 apart = records[b].point() - records[a].point();
           const float square = dot(apart, apart);
-          if (!(square > 0) || square > usual * sparse || !agree(apart, records[a].normal, records[b].normal, noise))
+          if (!(square > 0) || square > near * sparse || !agree(apart, records[a].normal, records[b].normal, noise))
             continue;
           if (support[first + a] < enough) ++support[first + a];
           if (support[first + b] < enough) ++support[first + b];
