@@ -81,7 +81,7 @@ void expect_near(const Cover& cover, const Reconstructed& mesh, double noise) {
   }
   const double rms = std::sqrt(3 * sum / static_cast<double>(mesh.positions.size()));
   EXPECT_LT(rms / cover.diagonal, std::max(0.002, 1.5 * noise));
-  EXPECT_LT(most, 4 * static_cast<double>(mesh.node_side));
+  EXPECT_LT(most, 2.5 * static_cast<double>(mesh.node_side));
 }
 
 // An outlier beside the boundary has only samples of the surface as neighbours, and lies on their planes by chance. An

@@ -46,8 +46,8 @@ class Cut {
     return number();
   }
 
-  // Whether an edge of more than two triangles has still more than two. When it was stitched, edges beside it did not
-  // tell yet which of its triangles belong to one sheet.
+  // Returns whether some edge still has more than two triangles. It was stitched before the edges beside it, which tell
+  // which of its triangles belong to one sheet.
   bool is_incomplete() const {
     return std::ranges::any_of(shared_, [&](const std::vector<std::uint32_t>& edge) {
       std::vector<std::pair<std::uint32_t, std::uint32_t>> ends;

@@ -21,7 +21,8 @@ std::vector<std::uint32_t> outliers_of(const Neighbours& neighbours, const Sampl
                                        const Workers& workers) {
   constexpr auto factor = static_cast<float>(sparse_spacings * sparse_spacings);
   const float sparse = factor * sampling.sixth_square;
-  return outliers_among(suspects_of(neighbours, sparse, noise, workers), neighbours, sparse, noise, workers);
+  return outliers_among(suspects_of(neighbours, sparse, noise, workers), neighbours, sparse, support_share * sparse,
+                        noise, workers);
 }
 
 }  // namespace
@@ -82,7 +83,7 @@ std::vector<std::uint32_t> outliers_among_sparse(std::span<const std::uint32_t> 
   const double spacing = spacing_share * side_for(occupancy, samples_a_cell);
   const auto noise = static_cast<float>(noise_of(points, cube, entries, level_for_noise(occupancy)));
   const auto sixth = static_cast<float>(std::pow(sixth_neighbour * sparse_spacings * spacing, 2));
-  return outliers_among(sparse, Neighbours(points, cube, entries), sixth, noise, workers);
+  return outliers_among(sparse, Neighbours(points, cube, entries), sixth, sixth, noise, workers);
 }
 
 std::vector<std::uint32_t> all_outliers(const PointSet& points, const Workers& workers) {

@@ -38,7 +38,7 @@ struct Piece {
   Float4 middle() const { return without_fourth(points / points[3]); }
 };
 
-// Two pieces in one cell that are layers of each other.
+// Returns whether two pieces in one cell are layers: they face the same way, and one lies over the other.
 bool are_layers(const Piece& a, const Piece& b, float spacing) {
   const auto least = static_cast<float>(least_in_cell);
   if (a.points[3] < least || b.points[3] < least) return false;
@@ -61,16 +61,18 @@ class Layers {
     if (share_of_layers(points_, sorted_.cube, sorted_.entries, level_) < least_layered) return {};
     find_parts();
     const std::map<Pair, std::size_t> meetings = meet();
-    std::map<std::uint32_t, std::uint32_t> group_of;  // of each large part
+    std::map<std::uint32_t, std::vector<std::uint32_t>> over_or_under;  // the other layers of a part
+    for (const auto& [pair, count] : meetings) {
+      if (count < least_cells || count * least_share < std::min(cells_[pair.first], cells_[pair.second])) continue;
+      over_or_under[pair.first].push_back(pair.second);
+      over_or_under[pair.second].push_back(pair.first);
+    }
+    std::vector<std::uint32_t> group_of(sorted_.entries.size(), none);  // of each large part
     std::uint32_t groups = 1;
     for (const std::uint32_t part : by_size_) {
       std::vector<bool> taken(groups + 1);
-      for (const auto& [pair, count] : meetings) {
-        if (pair.first != part && pair.second != part) continue;
-        const std::uint32_t other = pair.first == part ? pair.second : pair.first;
-        const std::size_t smaller = std::min(cells_[part], cells_[other]);
-        if (count < least_cells || count * least_share < smaller) continue;
-        if (const auto found = group_of.find(other); found != group_of.end()) taken[found->second] = true;
+      for (const std::uint32_t other : over_or_under[part]) {
+        if (group_of[other] != none) taken[group_of[other]] = true;
       }
       const auto free = static_cast<std::uint32_t>(std::find(taken.begin(), taken.end(), false) - taken.begin());
       group_of[part] = free;
@@ -80,8 +82,8 @@ class Layers {
     if (groups == 1) return result;
     result.resize(groups);
     for (std::uint32_t i = 0; i < sorted_.entries.size(); ++i) {
-      const auto found = group_of.find(part_of_[i]);
-      result[found != group_of.end() ? found->second : 0].push_back(sorted_.entries[i].index);
+      const std::uint32_t group = group_of[part_of_[i]];
+      result[group != none ? group : 0].push_back(sorted_.entries[i].index);
     }
     return result;
   }
@@ -108,10 +110,10 @@ class Layers {
       for (const auto& [a, b] : pairs) sets.join(a, b);
     }
     part_of_.resize(count);
-    std::map<std::uint32_t, std::size_t> sizes;
+    std::vector<std::uint32_t> sizes(count);
     for (std::uint32_t i = 0; i < count; ++i) ++sizes[part_of_[i] = sets.find(i)];
-    for (const auto& [part, size] : sizes) {
-      if (size >= least_part) by_size_.push_back(part);
+    for (std::uint32_t part = 0; part < count; ++part) {
+      if (sizes[part] >= least_part) by_size_.push_back(part);
     }
     std::ranges::stable_sort(by_size_, std::greater{}, [&](std::uint32_t part) { return sizes[part]; });
   }
@@ -125,6 +127,7 @@ class Layers {
   // Counts the cells in which each two parts are layers. Small parts are left out.
   std::map<Pair, std::size_t> meet() {
     std::map<Pair, std::size_t> meetings;
+    cells_.resize(sorted_.entries.size());
     const Level level = finest_level(sorted_.entries, level_);
     std::vector<Piece> pieces;
     for (std::size_t cell = 0; cell + 1 < level.begins.size(); ++cell) {
@@ -153,9 +156,9 @@ class Layers {
   const Workers& workers_;
   float spacing_ = 0;
   unsigned level_ = 0;
-  std::vector<std::uint32_t> part_of_;          // of each entry
-  std::vector<std::uint32_t> by_size_;          // the large parts, the largest first
-  std::map<std::uint32_t, std::size_t> cells_;  // of each part
+  std::vector<std::uint32_t> part_of_;  // of each entry
+  std::vector<std::uint32_t> by_size_;  // the large parts, the largest first
+  std::vector<std::uint32_t> cells_;    // the number of each part
 };
 
 }  // namespace

@@ -106,11 +106,12 @@ float square_of(std::span<const Neighbours::Near> near, std::size_t which) {
 
 class Search {
  public:
-  Search(std::span<const std::uint32_t> suspects, const Neighbours& neighbours, float sparse, float noise,
+  Search(std::span<const std::uint32_t> suspects, const Neighbours& neighbours, float sparse, float others, float noise,
          const Workers& workers)
       : suspects_(suspects),
         neighbours_(neighbours),
         sparse_(sparse),
+        others_(others),
         noise_(noise),
         workers_(workers),
         near_(suspects.size() * neighbours_each),
@@ -187,11 +188,10 @@ class Search {
   }
 
   // Returns whether the distance of another sample is one that it has from its own neighbours. If not, a surface of
-  // samples as dense as the other one would have more of them in between: it says nothing about this place. A sample that
-  // is no suspect is not sparse.
+  // samples as dense as the other one would have more of them in between: it says nothing about this place.
   bool reaches(const Neighbours::Near& other) const {
     const std::optional<std::size_t> which = suspect(other.entry);
-    return other.square < farthest * farthest * (which ? sixth_[*which] : sparse_);
+    return other.square < farthest * farthest * (which ? sixth_[*which] : others_);
   }
 
   // The nearest neighbours of an outlier beside the boundary of a surface are samples of the surface. The outlier may lie
@@ -272,7 +272,7 @@ class Search {
            }) >= least_planes;
   }
 
-  // Returns whether the sample lies in a surface and faces away from it. It would look like another, thin sheet.
+  // Returns whether the sample lies in a surface, but faces the opposite way. It would look like the back of a thin sheet.
   bool contradicts(std::size_t i, std::vector<Neighbours::Near>& near) const {
     Float4 normals{};
     std::size_t count = 0;
@@ -293,7 +293,7 @@ class Search {
 
   std::span<const std::uint32_t> suspects_;
   const Neighbours& neighbours_;
-  float sparse_, noise_;
+  float sparse_, others_, noise_;
   const Workers& workers_;
   std::vector<Neighbours::Near> near_;  // [neighbours_each * suspects], of which the first counts_[i] are set
   std::vector<std::uint8_t> counts_;
@@ -306,7 +306,6 @@ class Search {
 
 std::vector<std::uint32_t> suspects_of(const Neighbours& neighbours, float sparse, float noise,
                                        const Workers& workers) {
-  constexpr float near = 0.5F;                 // the squared distance of samples that agree, relative to `sparse`
   constexpr std::uint32_t most_in_cell = 256;  // because all pairs are looked at
   constexpr std::uint8_t enough = 7;           // samples that agree
   std::vector<std::uint32_t> cells{0};         // the first entries of the cells above the finest ones
@@ -328,7 +327,8 @@ std::vector<std::uint32_t> suspects_of(const Neighbours& neighbours, float spars
         for (std::uint32_t b = a + 1; b < count; ++b) {
           const Float4 apart = records[b].point() - records[a].point();
           const float square = dot(apart, apart);
-          if (!(square > 0) || square > near * sparse || !agree(apart, records[a].normal, records[b].normal, noise))
+          if (!(square > 0) || square > support_share * sparse ||
+              !agree(apart, records[a].normal, records[b].normal, noise))
             continue;
           if (support[first + a] < enough) ++support[first + a];
           if (support[first + b] < enough) ++support[first + b];
@@ -344,8 +344,8 @@ std::vector<std::uint32_t> suspects_of(const Neighbours& neighbours, float spars
 }
 
 std::vector<std::uint32_t> outliers_among(std::span<const std::uint32_t> suspects, const Neighbours& neighbours,
-                                          float sparse, float noise, const Workers& workers) {
-  return Search(suspects, neighbours, sparse, noise, workers).run();
+                                          float sparse, float others, float noise, const Workers& workers) {
+  return Search(suspects, neighbours, sparse, others, noise, workers).run();
 }
 
 Sampling look_at_some(const Neighbours& neighbours, float noise, const Workers& workers) {

@@ -19,15 +19,19 @@
 
 namespace glark::reconstruct {
 
+// Samples that are no suspects have several others within this share of `sparse`, a squared distance.
+inline constexpr float support_share = 0.5F;
+
 // Returns the entries that may be outliers, in ascending order. Each of the others has several samples near by, in its
 // own cell, that agree with it. sparse: as below. This is much quicker than looking for the neighbours of all samples.
 std::vector<std::uint32_t> suspects_of(const Neighbours& neighbours, float sparse, float noise, const Workers& workers);
 
 // Returns the outliers among the suspects. suspects: entries in ascending order; all others are taken to be on a
 // surface. sparse: the square of the distance of the sixth neighbour in sparse regions. Denser outliers must be farther from
-// their neighbours than these are from theirs. noise: relative to the cube.
+// their neighbours than these are from theirs. others: the same distance for samples that are no suspects, at most.
+// noise: relative to the cube.
 std::vector<std::uint32_t> outliers_among(std::span<const std::uint32_t> suspects, const Neighbours& neighbours,
-                                          float sparse, float noise, const Workers& workers);
+                                          float sparse, float others, float noise, const Workers& workers);
 
 // What some of the samples show.
 struct Sampling {

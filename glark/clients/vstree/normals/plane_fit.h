@@ -25,8 +25,8 @@ float median_noise(std::span<const Float4> points, std::span<const std::uint32_t
 //
 // Where the neighbours lie near to one plane, this is the direction in which they extend least. Otherwise some may lie
 // on the other side of a thin wall, or beyond a sharp edge. Then planes through three near samples are tried, and the
-// plane that is near to most of the neighbours is fitted to those alone. "Near" is a small height over the plane. If no
-// plane has enough exact samples, it is some times the noise.
+// plane that is near to most of the neighbours is fitted to those alone. "Near" is a small part of the radius. If no
+// plane has enough samples so near to it, it is 2.5 times the noise.
 // Based on: M. Fischler, R. Bolles, Random Sample Consensus, 1981, but all planes of the nearest samples are tried.
 Float4 fit_normal(std::span<const Float4> points, std::span<const std::uint32_t> which, float noise);
 

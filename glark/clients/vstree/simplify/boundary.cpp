@@ -5,15 +5,10 @@
 #include <algorithm>
 #include <bit>
 
+#include "glark/clients/common/mixed_bits.h"
+
 namespace glark::vstree {
 namespace {
-
-// A hash without equal values for different bits (C. Wellons' lowbias32).
-std::uint32_t mixed(std::uint32_t bits) {
-  bits = (bits ^ bits >> 16) * 0x7FEB352DU;
-  bits = (bits ^ bits >> 15) * 0x846CA68BU;
-  return bits ^ bits >> 16;
-}
 
 // Returns 1 for each cluster at the boundary of the clusters' triangles. Around another cluster, each neighbour follows
 // one triangle and precedes another.
@@ -21,7 +16,8 @@ std::vector<std::uint8_t> at_boundary(const Clusters& clusters, bool& any) {
   std::vector<std::uint32_t> sums(clusters.count);
   const std::vector<std::uint32_t>& corners = clusters.triangles;
   for (std::size_t t = 0; t + 2 < corners.size(); t += 3) {
-    const std::uint32_t a = mixed(corners[t]), b = mixed(corners[t + 1]), c = mixed(corners[t + 2]);
+    const std::uint32_t a = common::mixed_bits(corners[t]), b = common::mixed_bits(corners[t + 1]),
+                        c = common::mixed_bits(corners[t + 2]);
     sums[corners[t]] += b - c;
     sums[corners[t + 1]] += c - a;
     sums[corners[t + 2]] += a - b;
@@ -36,8 +32,8 @@ std::uint64_t key_of(const Surface& surface, std::uint32_t point) {
   std::uint32_t low = 0, high = 0x9E3779B9U;
   for (std::size_t k = 0; k < 3; ++k) {
     const auto bits = std::bit_cast<std::uint32_t>(surface.points.positions[3 * std::size_t{point} + k] + 0.0F);
-    low = mixed(low ^ bits);
-    high = mixed(high + bits);
+    low = common::mixed_bits(low ^ bits);
+    high = common::mixed_bits(high + bits);
   }
   return std::uint64_t{high} << 32 | low;
 }

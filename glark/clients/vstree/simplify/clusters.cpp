@@ -174,9 +174,10 @@ Clusters cluster_by_tree(const Surface& surface, const SimplifyOptions& options,
     };
     Clusters clusters = with(nullptr);
     std::vector<BoundaryEdge> boundary = boundary_edges(surface, clusters);
-    if (boundary.empty()) return clusters;
-    const BoundaryPlanes planes(surface, boundary);
-    clusters = with(&planes);
+    if (!boundary.empty()) {
+      const BoundaryPlanes planes(surface, boundary);
+      clusters = with(&planes);
+    }
     clusters.boundary = std::move(boundary);
     return clusters;
   }

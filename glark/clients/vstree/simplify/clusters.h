@@ -6,6 +6,8 @@
 
 #include <glark/vstree.h>
 
+#include <optional>
+
 #include "glark/clients/common/points/point_set.h"
 #include "glark/clients/common/workers.h"
 #include "glark/clients/vstree/quadric.h"
@@ -32,7 +34,7 @@ struct Clusters {
   std::vector<std::uint32_t> of;         // [points]
   std::vector<std::uint32_t> triangles;  // clusters as vertices, without repeats; empty: not known yet
   std::vector<std::uint8_t> irregular;   // [count] the result of irregular_vertices() for these triangles with repeats
-  std::vector<BoundaryEdge> boundary;    // of the surface, at the boundary of these triangles; empty: not known yet
+  std::optional<std::vector<BoundaryEdge>> boundary;  // of the surface, at that of these triangles; null: not known yet
 
   void set_triangles(std::vector<std::uint32_t> spanning);
 };

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numeric>
 
+#include "glark/clients/common/mixed_bits.h"
 #include "glark/clients/vstree/simplify/touching_sheets.h"
 #include "glark/clients/vstree/validation.h"
 #if GLARK_HAS_MESHOPTIMIZER
@@ -74,13 +75,6 @@ Welded::Welded(const Surface& surface) : vertex_of(surface.size()) {
   }
 }
 
-// The next number of a sequence (C. Wellons' lowbias32).
-std::uint32_t mixed(std::uint32_t bits) {
-  bits = (bits ^ bits >> 16) * 0x7FEB352DU;
-  bits = (bits ^ bits >> 15) * 0x846CA68BU;
-  return bits ^ bits >> 16;
-}
-
 // Returns the positions, each moved by less than `most` on each axis. Equal positions move alike. In flat faces, collapses
 // cost nothing and make triangles without area, after which meshoptimizer 0.18 does not see that a triangle turns over.
 // Among moved points, three are hardly ever on a line.
@@ -88,9 +82,10 @@ std::vector<float> moved_a_little(const std::vector<float>& positions, float mos
   std::vector<float> moved(positions.size());
   for (std::size_t i = 0; i + 2 < positions.size(); i += 3) {
     std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < 3; ++k) bits = mixed(bits ^ std::bit_cast<std::uint32_t>(positions[i + k]));
+    for (std::size_t k = 0; k < 3; ++k)
+      bits = common::mixed_bits(bits ^ std::bit_cast<std::uint32_t>(positions[i + k]));
     for (std::size_t k = 0; k < 3; ++k) {
-      bits = mixed(bits + 1);
+      bits = common::mixed_bits(bits + 1);
       const float share = static_cast<float>(bits >> 8) / static_cast<float>(1U << 23) - 1;  // -1 to 1
       moved[i + k] = positions[i + k] + most * share;
     }

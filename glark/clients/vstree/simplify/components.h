@@ -10,8 +10,8 @@ namespace glark::vstree {
 // its sides. Then the wall falls into pieces, large parts become one, or surfaces between parts add area.
 bool falls_apart(const Surface& from, const Simplified& result);
 
-// Removes closed crumbs that were pinched off where sheets touched: parts of few triangles, if more is left of their
-// part of the input. Small parts of the input stay.
+// Removes crumbs that were pinched off where sheets touched: parts of few triangles, if more is left of their part of the
+// input. Small parts of the input stay.
 void drop_pinched_off(const Surface& from, Simplified& result);
 
 void drop_unused_vertices(Simplified& result);

@@ -206,9 +206,10 @@ Representatives representatives(const Surface& surface, const Clusters& clusters
   std::vector<Extent> extents(clusters.count);
   std::vector<Planes> planes(how == Representative::qef ? clusters.count : 0);
   std::vector<bool> is_at_boundary(clusters.count);
-  for (const BoundaryEdge& edge : clusters.boundary)
+  const std::vector<BoundaryEdge>& boundary = *clusters.boundary;
+  for (const BoundaryEdge& edge : boundary)
     is_at_boundary[clusters.of[edge.from]] = is_at_boundary[clusters.of[edge.to]] = true;
-  Sums sums(surface, {corners.get(), surface.size()}, clusters.boundary, extents, planes);
+  Sums sums(surface, {corners.get(), surface.size()}, boundary, extents, planes);
   const std::size_t parts = std::clamp<std::size_t>(surface.size() / 25000, 1, workers.count());
   Representatives result{std::vector<Float4>(clusters.count), std::vector<Float4>(clusters.count)};
   workers.each(parts, 1, [&](std::size_t first_part, std::size_t last_part) {

@@ -26,7 +26,8 @@ struct Shape {
     return quadric.error_at(best_step()) + flat_share * radius * radius * (quadric.weight() + 1e-12F * sum[3]);
   }
   // Returns the step from the centroid to the best point. Planes that are nearly parallel meet far away, as do the
-  // planes of a cone. The error falls along the whole step, so the step may end within the cluster, after a share of the radius.
+  // planes of a cone. The error falls along the whole step, so the step may
+  // end earlier: at a share of the radius.
   Float4 best_step(float share = most_step) const {
     const Float4 step = quadric.best_point();
     const float square = dot(step, step);

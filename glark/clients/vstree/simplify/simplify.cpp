@@ -90,8 +90,9 @@ std::vector<std::uint32_t> compact(std::vector<std::uint32_t>& triangles, std::s
 Simplified cluster_vertices(const Surface& surface, const SimplifyOptions& options, const Workers& workers) {
   const std::span<const std::uint32_t> triangles = surface.triangles;
   Clusters clusters = cluster(surface, options, workers);
-  if (clusters.triangles.empty()) clusters.set_triangles(spanning(triangles, clusters.of, workers));
-  if (clusters.boundary.empty()) clusters.boundary = boundary_edges(surface, clusters);
+  if (!triangles.empty() && clusters.triangles.empty())
+    clusters.set_triangles(spanning(triangles, clusters.of, workers));
+  if (!clusters.boundary) clusters.boundary = boundary_edges(surface, clusters);
   const Representatives stand = representatives(surface, clusters, options.representative, workers);
 
   Simplified result;
