@@ -7,23 +7,12 @@
 
 #include "tests/bench/gl.h"
 
-#include <GL/osmesa.h>
-
 namespace glark::bench {
 
-Offscreen::Offscreen() : pixels_(static_cast<std::size_t>(picture_size) * picture_size) {
-  const OSMesaContext context = OSMesaCreateContextExt(OSMESA_RGBA, 24, 0, 0, nullptr);
-  if (context != nullptr &&
-      OSMesaMakeCurrent(context, pixels_.data(), GL_UNSIGNED_BYTE, picture_size, picture_size) != GL_FALSE) {
-    context_ = context;
-    glEnable(GL_DEPTH_TEST);
-    glEnable(GL_CULL_FACE);
-    glClearColor(0, 0, 0, 1);
-  }
-}
-
-Offscreen::~Offscreen() {
-  if (context_ != nullptr) OSMesaDestroyContext(static_cast<OSMesaContext>(context_));
+void Offscreen::set_state() {
+  glEnable(GL_DEPTH_TEST);
+  glEnable(GL_CULL_FACE);
+  glClearColor(0, 0, 0, 1);
 }
 
 Picture read_picture() {

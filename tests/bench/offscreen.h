@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// An OSMesa context with a small picture, so that the work for vertices takes most of the time.
+// A context of OSMesa, or of EGL in glark-bench-egl, with a small picture, so that the work for vertices takes most of the time.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -19,11 +20,14 @@ class Offscreen {
   Offscreen(const Offscreen&) = delete;
   Offscreen& operator=(const Offscreen&) = delete;
 
-  bool ready() const { return context_ != nullptr; }
+  bool ready() const { return ready_; }
 
  private:
-  void* context_ = nullptr;
-  std::vector<std::uint32_t> pixels_;
+  struct Context;
+  static void set_state();
+
+  std::unique_ptr<Context> context_;
+  bool ready_ = false;
 };
 
 using Picture = std::vector<std::uint8_t>;  // RGBA

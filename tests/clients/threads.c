@@ -12,9 +12,9 @@
 #if WITH_OSMESA
 #include <GL/osmesa.h>
 #else
-#include <EGL/egl.h>
-#include <EGL/eglext.h>
 #include <GL/gl.h>
+
+#include "tests/clients/scene/egl_display.h"
 #endif
 #include <GL/glext.h>
 
@@ -54,8 +54,8 @@ static void destroy(Context context) { OSMesaDestroyContext(context); }
 #else
 static EGLDisplay display;
 static void start(void) {
-  display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
-  require(eglInitialize(display, NULL, NULL) && eglBindAPI(EGL_OPENGL_API), "no surfaceless EGL display");
+  display = open_egl_display();
+  require(display != EGL_NO_DISPLAY && eglBindAPI(EGL_OPENGL_API), "no EGL display");
 }
 static Context create(Context share) {
   static const EGLint attributes[] = {

@@ -7,14 +7,14 @@
 // With names of files, prints instead what each of these passes costs (passes.py). docs/explanation/compiling.md has the
 // results. Run it with MESA_SHADER_CACHE_DISABLE=true.
 #define GL_GLEXT_PROTOTYPES
-#include <EGL/egl.h>
-#include <EGL/eglext.h>
 #include <GL/gl.h>
 #include <GL/glext.h>
 #include <pthread.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <time.h>
+
+#include "tests/clients/scene/egl_display.h"
 
 static const char pass[] =
     "#version 430\n"
@@ -112,8 +112,8 @@ static void* compile_in_thread(void* unused) {
 }
 
 int main(int count, char** files) {
-  display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
-  if (!eglInitialize(display, NULL, NULL) || !eglBindAPI(EGL_OPENGL_API)) return 77;
+  display = open_egl_display();
+  if (display == EGL_NO_DISPLAY || !eglBindAPI(EGL_OPENGL_API)) return 77;
   first = make_context(EGL_NO_CONTEXT);
   second = make_context(first);
   if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, first)) return 77;

@@ -3,14 +3,14 @@
 //
 // Faults of OpenGL drivers, each shown by a few calls and without glark. Prints the driver, then a line for each fault:
 // its name, "yes", "no" or "unknown" (the driver lacks the feature), and what the driver did.
-#include <EGL/egl.h>
-#include <EGL/eglext.h>
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>
 #include <stdio.h>
 #include <sys/wait.h>
 #include <unistd.h>
+
+#include "tests/clients/scene/egl_display.h"
 
 #define MOST_CORNERS 64
 
@@ -179,9 +179,127 @@ static void show_name_of_deleted_buffer(void) {
   print_fault("name_of_deleted_buffer", (unsigned)found, 2, "is the value of the new buffer");
 }
 
+static void draw_two_triangles(GLenum mode) { glDrawArrays(mode, 0, 6); }
+
+// OpenGL 4.6, 10.3.6: only draws with indices restart.
+static void show_restart_without_indices(void) {
+  program_of(GL_VERTEX_SHADER,
+             "#version 330 compatibility\nout float number;\n"
+             "void main() { number = float(gl_VertexID); gl_Position = vec4(1.0); }\n",
+             "number");
+  glEnable(GL_PRIMITIVE_RESTART);
+  glPrimitiveRestartIndex(4);
+  print_fault("restart_arrays", capture(draw_two_triangles, GL_TRIANGLES).triangles, 2, "triangles of six vertices");
+  glDisable(GL_PRIMITIVE_RESTART);
+}
+
+static void draw_quad(GLenum mode) { glDrawArrays(mode, 0, 4); }
+
+// OpenGL 4.6 compatibility, 13.4: the last vertex of a quad provokes. Triangles that end with it can show its colour.
+static void show_captured_provoking_vertex(void) {
+  const Capture quad = capture(draw_quad, GL_QUADS);
+  print_fault("captured_provoking", (quad.corners[2] == 3) + (quad.corners[5] == 3), 2,
+              "triangles of a quad end with its last vertex");
+}
+
+// OpenGL 4.6, 4.2.3: the result of a query goes into a buffer. What is written beside it later must stay.
+static void show_data_after_query(void) {
+  const GLuint one = 1;
+  GLuint words[2] = {0, 0};
+  GLuint buffer = 0;
+  GLuint query = 0;
+  glGenQueries(1, &query);
+  glBeginQuery(GL_PRIMITIVES_GENERATED, query);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glEndQuery(GL_PRIMITIVES_GENERATED);
+  glGenBuffers(1, &buffer);
+  glBindBuffer(GL_QUERY_BUFFER, buffer);
+  glBufferData(GL_QUERY_BUFFER, sizeof(words), words, GL_DYNAMIC_COPY);
+  glGetQueryObjectuiv(query, GL_QUERY_RESULT, (GLuint*)sizeof(GLuint));
+  glBufferSubData(GL_QUERY_BUFFER, 0, sizeof(one), &one);
+  glGetBufferSubData(GL_QUERY_BUFFER, 0, sizeof(words), words);
+  glBindBuffer(GL_QUERY_BUFFER, 0);
+  print_fault("data_after_query", words[0], 1, "is the word that was written beside the result of a query");
+}
+
+// OpenGL 4.6, 13.3.2: a feedback may end while it is paused.
+static void show_link_after_feedback(void) {
+  GLint program = 0;
+  GLuint other = 0;
+  glGetIntegerv(GL_CURRENT_PROGRAM, &program);
+  other = program_of(GL_VERTEX_SHADER, "#version 330 compatibility\nvoid main() { gl_Position = vec4(1.0); }\n", NULL);
+  glUseProgram((GLuint)program);
+  bind_result();
+  glBeginTransformFeedback(GL_TRIANGLES);
+  glPauseTransformFeedback();
+  glUseProgram(other);
+  glEndTransformFeedback();
+  while (glGetError() != GL_NO_ERROR) {
+  }
+  glLinkProgram(other);
+  print_fault("link_after_feedback", glGetError(), 0,
+              "is the error of glLinkProgram after a feedback that ended paused");
+  // The driver believes in a feedback that goes on; the next one ends it.
+  glUseProgram((GLuint)program);
+  glBeginTransformFeedback(GL_TRIANGLES);
+  glEndTransformFeedback();
+}
+
+// OpenGL 4.6 compatibility, chapter 22: arrays are client state, also those of a named vertex array.
+static void show_client_arrays(void) {
+  GLint enabled = 0;
+  glEnableVertexAttribArray(7);
+  glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);
+  glDisableVertexAttribArray(7);
+  glPopClientAttrib();
+  glGetVertexAttribiv(7, GL_VERTEX_ATTRIB_ARRAY_ENABLED, &enabled);
+  glDisableVertexAttribArray(7);
+  print_fault("client_arrays", (unsigned)enabled, 1, "says whether glPopClientAttrib restores an array");
+}
+
+static unsigned red_of_square(float depth_left, float depth_right) {
+  GLubyte pixel[4];
+  glClear(GL_COLOR_BUFFER_BIT);
+  glBegin(GL_QUADS);
+  glVertex3f(-1, -1, depth_left);
+  glVertex3f(1, -1, depth_right);
+  glVertex3f(1, 1, depth_right);
+  glVertex3f(-1, 1, depth_left);
+  glEnd();
+  glReadPixels(4, 4, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+  return pixel[0];
+}
+
+// OpenGL 4.6 compatibility, 12.1.3: a scale of 2 divides normals by 2, and gl_NormalScale is 2.
+static void show_normal_scale(void) {
+  program_of(GL_VERTEX_SHADER,
+             "#version 120\nvoid main() { gl_Position = gl_Vertex; gl_FrontColor = vec4(0.25 * gl_NormalScale); }\n",
+             NULL);
+  glEnable(GL_RESCALE_NORMAL);
+  glScalef(2, 2, 2);
+  print_fault("normal_scale", (red_of_square(0, 0) + 16) / 32, 4, "is twice the gl_NormalScale of a scale of 2");
+  glLoadIdentity();
+  glDisable(GL_RESCALE_NORMAL);
+}
+
+// OpenGL 4.6 compatibility, 17.4: both are allowed. Where depths change their sign, refinement shows it.
+static void show_fog_of_fragments(void) {
+  const float black[] = {0, 0, 0, 1};
+  glUseProgram(0);
+  glColor4f(1, 1, 1, 1);
+  glEnable(GL_FOG);
+  glFogi(GL_FOG_MODE, GL_LINEAR);
+  glFogf(GL_FOG_START, 0);
+  glFogf(GL_FOG_END, 1);
+  glFogfv(GL_FOG_COLOR, black);
+  print_fault("fog_of_fragments", red_of_square(-0.5F, 0.5F) > 160, 0,
+              "says whether each fragment takes the absolute depth");
+  glDisable(GL_FOG);
+}
+
 static int make_context(void) {
-  const EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
-  if (!eglInitialize(display, NULL, NULL) || !eglBindAPI(EGL_OPENGL_API)) {
+  const EGLDisplay display = open_egl_display();
+  if (display == EGL_NO_DISPLAY || !eglBindAPI(EGL_OPENGL_API)) {
     return 0;
   }
   const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, NULL);
@@ -289,10 +407,10 @@ static unsigned signal_of(void (*draw)(void)) {
 // A driver without OpenGL has no faults that are shown here. Prints its name.
 static int print_es_driver(void) {
   static const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION, 2, EGL_NONE};
-  const EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
+  const EGLDisplay display = open_egl_display();
   EGLConfig config = NULL;
   EGLint configs = 0;
-  if (!eglInitialize(display, NULL, NULL) || !eglBindAPI(EGL_OPENGL_ES_API) ||
+  if (display == EGL_NO_DISPLAY || !eglBindAPI(EGL_OPENGL_ES_API) ||
       !eglChooseConfig(display, NULL, &config, 1, &configs)) {
     return 0;
   }
@@ -328,11 +446,20 @@ int main(void) {
   glGenVertexArrays(1, &array);
   glBindVertexArray(array);
   show_polygons();
+  show_restart_without_indices();
+  show_captured_provoking_vertex();
+  show_client_arrays();
   if (10 * major + minor >= 43) {
     show_captured_polygons();
     show_name_of_deleted_buffer();
+    show_link_after_feedback();
   } else {
     puts("captured_quads: unknown: needs OpenGL 4.0\nname_of_deleted_buffer: unknown: needs OpenGL 4.3");
   }
+  if (10 * major + minor >= 44) {
+    show_data_after_query();
+  }
+  show_normal_scale();
+  show_fog_of_fragments();
   return 0;
 }

@@ -14,6 +14,7 @@ import glob
 import json
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -32,6 +33,7 @@ ANGLE = pathlib.Path(os.environ.get("XDG_CACHE_HOME", pathlib.Path.home() / ".ca
 SOCKET = pathlib.Path("/tmp/.virgl_test")  # Mesa 22 loses the connection at any other path
 # Client -> options of tests/clients/run_client.py, program. "@" stands for the folder of our clients.
 CLIENTS = {
+    "egl_surfaceless": ("--mode", "@client_egl_surfaceless"),
     "egl_impostors": ("--mode", "@client_egl_impostors"),
     "gles2": ("--mode", "@client_gles2"),
     "immediate": ("--display --mode", "@client_immediate"),
@@ -45,7 +47,7 @@ WITHOUT_SURFACE = ("egl_impostors",)
 
 @dataclasses.dataclass
 class Driver:
-    name: str
+    name: str                # of its folder
     says: str                # a word of GL_RENDERER
     environment: dict
     platforms: tuple = ("egl", "glx")
@@ -55,6 +57,7 @@ class Driver:
     passes_through: bool = False
     clients: tuple = tuple(CLIENTS)
     told: str = "client_immediate"  # the program that the log is about, if nothing is refined
+    avoids: str = ""         # words of GL_RENDERER, as a pattern: another row has this driver
 
 
 def gallium(name: str) -> dict:
@@ -69,6 +72,9 @@ DRIVERS = [
     Driver("angle", "ANGLE", {"LD_LIBRARY_PATH": str(ANGLE), "ANGLE_DEFAULT_PLATFORM": "swiftshader"}, platforms=("egl",),
            needs=str(ANGLE / "libEGL.so.1"), package="@sparticuz/chromium of npm", passes_through=True, clients=("gles2",),
            told="client_gles2"),
+    # That of the graphics card. Windows are on the user's display.
+    Driver(table.SYSTEM, "", {"LIBGL_ALWAYS_SOFTWARE": "0"}, platforms=("egl", "glx") if "DISPLAY" in os.environ else ("egl",),
+           clients=("egl_surfaceless", "egl_impostors", "gles2"), avoids="llvmpipe|softpipe|swrast|zink|virgl"),
 ]
 
 
@@ -89,6 +95,8 @@ class Judge:
         with self.server():
             done = self.run([self.build_ / "bin/driver_faults"])
         renderer = done.stdout.split("\n")[0]
+        if self.driver_.avoids and re.search(self.driver_.avoids, renderer):
+            return "the system has only Mesa's software renderers"
         return "" if self.driver_.says in renderer else f"Mesa runs another driver ({renderer or done.stderr.strip()[-80:]})"
 
     @contextlib.contextmanager
@@ -121,7 +129,8 @@ class Judge:
             for api in PLATFORMS[platform]:
                 if not fnmatch.fnmatchcase(f"{platform}-{api}", self.options_.platform):
                     continue
-                display = [ROOT / "scripts/parts/with_display", "--"] if platform == "glx" else []
+                of_its_own = platform == "glx" and self.driver_.name != table.SYSTEM
+                display = [ROOT / "scripts/parts/with_display", "--"] if of_its_own else []
                 report = self.folder_ / f"{platform}-{api}"
                 (report / "results.json").unlink(missing_ok=True)
                 done = self.run([*display, self.build_ / "bin/glark-conformance", "--implementation", self.library(), "--platform",
@@ -190,7 +199,11 @@ def main() -> int:
         obstacle = judge.obstacle()
         if obstacle:
             print(f"{driver.name:<9} cannot run: {obstacle}", flush=True)
-            (judge.folder_ / "faults.txt").write_text(f"cannot run: {obstacle}\n")
+            if driver.name == table.SYSTEM:  # no row: it is a driver of its own only where there is a graphics card
+                with contextlib.suppress(OSError):
+                    judge.folder_.rmdir()
+            else:
+                (judge.folder_ / "faults.txt").write_text(f"cannot run: {obstacle}\n")
             continue
         with judge.server():
             for step in options.steps.split(","):

@@ -11,11 +11,12 @@ BEGIN, END = "<!-- drivers -->", "<!-- end of drivers -->"
 CELLS = [f"{platform}-{api}" for platform, apis in (("egl", ("gl-compat", "gl-core", "gles")), ("glx", ("gl-compat", "gl-core", "gles")),
                                                     ("osmesa", ("gl-compat", "gl-core"))) for api in apis]
 UNKNOWN = "not explained"
+SYSTEM = "system"  # the driver that programs get here: that of the graphics card, if there is one
 GOOD = ("Pass", "NotSupported", "QualityWarning", "Unimplemented")
 
 
 def version_of(text: str) -> str:
-    return re.sub(r".*((?:Mesa|ANGLE) [0-9.]+).*", r"\1", text)
+    return re.sub(r".*((?:Mesa|ANGLE|NVIDIA) [0-9.]+).*", r"\1", text)
 
 
 class Row:
@@ -38,7 +39,9 @@ class Row:
 
     @property
     def title(self) -> str:
-        return f"{self.name}, {self.version}" if self.version else self.name
+        # The system's driver has the name of its graphics card.
+        name = re.split("[/(]", self.renderer)[0].strip() if self.name == SYSTEM and self.renderer else self.name
+        return f"{name}, {self.version}" if self.version else name
 
     @staticmethod
     def piglit_of(file: pathlib.Path) -> dict:
@@ -104,31 +107,47 @@ def failures_of(row: Row) -> list:
     return [f"| {row.title} | {', '.join(cases)} | {', '.join(sorted(where))} | {reason} |" for reason, (cases, where) in groups.items()]
 
 
-def lines_of(rows: list) -> list:
+def kept_lines(document: str, rows: list) -> tuple:
+    """The lines of the document's three tables about drivers that have no results here: they ran on other machines."""
+    here = {row.title for row in rows}
+    drivers, failures, faults = [], [], {}
+    parts = re.split("^### ", document, flags=re.M)
+    for number, part in enumerate(parts[:3]):
+        for line in re.findall(r"^\| (?!driver |fault ).*\|$", part, re.M):
+            cells = [cell.strip() for cell in line.strip("|").split(" | ")]
+            if number == 2:
+                faults[tuple(cells[:2])] = [title for title in cells[2].split("; ") if title not in here]
+            elif cells[0] not in here:
+                (failures if number else drivers).append(line)
+    return drivers, failures, faults
+
+
+def lines_of(rows: list, document: str = "") -> list:
+    other_drivers, other_failures, faults = kept_lines(document, rows)
     lines = ["| driver | " + " | ".join(CELLS) + " | clients | piglit |", "|---" * (len(CELLS) + 3) + "|"]
     all_cases = max((len(results["results"]) for row in rows for results in row.cells.values()), default=0)
     for row in rows:
         cells = [cell_text(row, cell, all_cases) for cell in CELLS] if not row.obstacle else [f"cannot run: {row.obstacle}"]
         lines.append(f"| {row.title} | " + " | ".join(cells) + f" | {clients_text(row)} | {piglit_text(row)} |")
-    lines += ["", "### What fails", "", "| driver | cases | where | why |", "|---|---|---|---|"]
+    lines += [*other_drivers, "", "### What fails", "", "| driver | cases | where | why |", "|---|---|---|---|"]
     for row in rows:
         lines += failures_of(row)
-    faults = {}
+    lines += other_failures
     for row in rows:
         for name, said in row.faults.items():
-            faults.setdefault((name, said), []).append(row.title)
+            faults.setdefault((f"`{name}`", said), []).append(row.title)
     lines += ["", "### Faults without glark", "", "| fault | what the driver does | drivers |", "|---|---|---|"]
-    lines += [f"| `{name}` | {said} | {'; '.join(titles)} |" for (name, said), titles in sorted(faults.items())]
+    lines += [f"| {name} | {said} | {'; '.join(titles)} |" for (name, said), titles in sorted(faults.items()) if titles]
     return lines
 
 
 def make(folders: list, document: pathlib.Path, write: bool) -> int:
     rows = [Row(folder) for parent in folders for folder in sorted(parent.iterdir()) if folder.is_dir()]
-    text = "\n".join(lines_of(rows))
+    before, found, rest = document.read_text().partition(BEGIN)
+    text = "\n".join(lines_of(rows, rest.partition(END)[0]))
     if not write:
         print(text)
         return 0
-    before, found, rest = document.read_text().partition(BEGIN)
     if not found or END not in rest:
         sys.exit(f"drivers: {document} lacks {BEGIN} or {END}")
     document.write_text(f"{before}{BEGIN}\n{text}\n{END}{rest.partition(END)[2]}")

@@ -59,6 +59,26 @@ class Table(unittest.TestCase):
         self.assertEqual(table.version_of("OpenGL ES 3.1 (ANGLE 2.1.27278 git hash: 0d61)"), "ANGLE 2.1.27278")
         self.assertEqual(table.version_of("4.6 (Compatibility Profile) Mesa 22.3.6"), "Mesa 22.3.6")
 
+    def test_the_system_has_the_name_of_its_card(self) -> None:
+        card = self.folder.rename(self.folder.parent / table.SYSTEM)
+        (card / "faults.txt").write_text("renderer: NVIDIA H100 80GB HBM3/PCIe/SSE2\nversion: 4.6.0 NVIDIA 580.159.04\n")
+        self.assertEqual(table.Row(card).title, "NVIDIA H100 80GB HBM3, NVIDIA 580.159.04")
+
+    def test_rows_of_other_machines_stay(self) -> None:
+        self.add("egl-gles", ark_a="Fail")
+        other = self.folder.parent / "llvmpipe"
+        other.mkdir()
+        (other / "faults.txt").write_text("version: 4.5 Mesa 22.3.6\nrestart_polygon: yes: 6 triangles, expected 4\n")
+        (other / "egl-gles").mkdir()
+        (other / "egl-gles/results.json").write_text(results(ark_b="Fail"))
+        before = "\n".join(table.lines_of([table.Row(other)]))
+        lines = table.lines_of([self.row()], before)
+        self.assertEqual(len([line for line in lines if line.startswith("| llvmpipe, Mesa 22.3.6 |")]), 2)
+        self.assertEqual(len([line for line in lines if line.startswith("| zink, Mesa 22.3.6 |")]), 2)
+        self.assertIn("| `restart_polygon` | 6 triangles, expected 4 | llvmpipe, Mesa 22.3.6; zink, Mesa 22.3.6 |", lines)
+        again = table.lines_of([self.row()], "\n".join(lines))
+        self.assertEqual(again, lines, "a row that is made again replaces the former one")
+
     def test_piglit(self) -> None:
         (self.folder / "piglit.txt").write_text("| mode | same |\n| off | 10 | 10 | 100.00 |\n| outputs-2 | 9 | 10 | 90.00 |\n")
         self.assertEqual(table.piglit_text(self.row()), "off 10 of 10, outputs-2 9 of 10")

@@ -4,6 +4,7 @@
 // How a draw is split into coarse triangles (11.R.3): the order of corners, the provoking corner, the split at
 // centroids.
 #include <fmt/core.h>
+#include <functional>
 #include <numeric>
 #include <utility>
 
@@ -112,7 +113,11 @@ std::vector<std::vector<std::size_t>> boundaries(GLenum mode, std::size_t count)
 
 DrawVertex draw_vertex(const MeshVertex& from) { return {from.position, from.colour, from.tag, 0}; }
 
-DrawVertex centroid_of(const Mesh& mesh, const std::vector<std::size_t>& boundary) {
+using Divide = std::function<float(float, float)>;
+
+float exact_quotient(float sum, float count) { return sum / count; }
+
+DrawVertex centroid_of(const Mesh& mesh, const std::vector<std::size_t>& boundary, const Divide& divide) {
   std::array<float, sizeof(DrawVertex) / sizeof(float)> sum{};
   for (const std::size_t i : boundary) {
     const DrawVertex vertex = draw_vertex(mesh[i]);
@@ -120,14 +125,15 @@ DrawVertex centroid_of(const Mesh& mesh, const std::vector<std::size_t>& boundar
     std::memcpy(values.data(), &vertex, sizeof(vertex));
     for (std::size_t k = 0; k < sum.size(); ++k) sum[k] += values[k];
   }
-  for (float& value : sum) value /= static_cast<float>(boundary.size());
+  for (float& value : sum) value = divide(value, static_cast<float>(boundary.size()));
   DrawVertex centroid{};
   std::memcpy(&centroid, sum.data(), sizeof(centroid));
   return centroid;
 }
 
 // n triangles about each centroid. The edges that meet there have the mean depth, rounded down.
-std::vector<CoarseTriangle> split(const Mesh& mesh, GLenum mode, std::size_t count, int pool_level) {
+std::vector<CoarseTriangle> split(const Mesh& mesh, GLenum mode, std::size_t count, int pool_level,
+                                  const Divide& divide = exact_quotient) {
   std::vector<CoarseTriangle> triangles;
   for (const auto& boundary : boundaries(mode, count)) {
     std::vector<int> depths;
@@ -136,7 +142,7 @@ std::vector<CoarseTriangle> split(const Mesh& mesh, GLenum mode, std::size_t cou
           reference::edge_depth(reference::depth_tag(mesh[boundary[k]].tag, pool_level),
                                 reference::depth_tag(mesh[boundary[(k + 1) % boundary.size()]].tag, pool_level)));
     const int face = std::accumulate(depths.begin(), depths.end(), 0) / static_cast<int>(boundary.size());
-    const DrawVertex centroid = centroid_of(mesh, boundary);
+    const DrawVertex centroid = centroid_of(mesh, boundary, divide);
     for (std::size_t k = 0; k < boundary.size(); ++k)
       triangles.push_back(
           {{draw_vertex(mesh[boundary[k]]), draw_vertex(mesh[boundary[(k + 1) % boundary.size()]]), centroid},
@@ -166,11 +172,35 @@ void check_centroid(Test& t, GLenum mode) {
       t, uniform, [mode] { gl.DrawArrays(mode, 0, 8); }, "eight vertices, uniformly");
 }
 
+// A division by the GL: the shading language lets quotients differ in their last bits.
+Divide quotient_of_gl(Test& t) {
+  constexpr GLuint at_sum = 1;
+  constexpr GLuint at_count = 2;
+  const GLuint program = build_program(
+      t, {.vertex = "layout(location = 1) in float sum; layout(location = 2) in float count; out float quotient;\n"
+                    "out vec4 colour;\n"
+                    "void main() { quotient = sum / count; colour = vec4(quotient); gl_Position = vec4(0.0); }\n",
+          .captured = {"quotient"}});
+  GLuint array = 0;
+  gl.GenVertexArrays(1, &array);
+  return [&t, program, array](float sum, float count) {
+    gl.UseProgram(program);
+    gl.BindVertexArray(array);
+    gl.VertexAttrib1f(at_sum, sum);
+    gl.VertexAttrib1f(at_count, count);
+    const auto captured = capture_as<float>(
+        t, 2, [] { gl.DrawArrays(GL_POINTS, 0, 1); }, GL_POINTS);
+    t.require(captured.size() == 1, "the quotient is captured");
+    return captured[0];
+  };
+}
+
 // No sum or quotient of these values is exact. The last bits show the order of the sum, the division, and the place of
 // the centroid among the corners.
 void check_centroid_bits(Test& t, GLenum mode, std::size_t count) {
   use_readable_tags();
-  gl.UseProgram(draw_program(t));
+  const Divide divide = quotient_of_gl(t);
+  const GLuint program = draw_program(t);
   for (int round = 0; round < 4; ++round) {
     Mesh mesh = mode == GL_POLYGON ? polygon() : mesh_for(mode);
     for (MeshVertex& vertex : mesh) {
@@ -179,10 +209,12 @@ void check_centroid_bits(Test& t, GLenum mode, std::size_t count) {
       for (float& channel : vertex.colour) channel = t.random_float(0, 1);
       vertex.tag = static_cast<float>(t.random_int(0, 3));
     }
+    const auto expected = split(mesh, mode, count, 4, divide);
+    gl.UseProgram(program);
     upload(mesh);
     split_at_centroids(4);
     expect_triangles(
-        t, split(mesh, mode, count, 4), [=] { gl.DrawArrays(mode, 0, static_cast<GLsizei>(count)); },
+        t, expected, [=] { gl.DrawArrays(mode, 0, static_cast<GLsizei>(count)); },
         fmt::format("{} vertices", count));
   }
 }

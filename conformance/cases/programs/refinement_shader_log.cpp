@@ -101,7 +101,6 @@ void expect_own_name(Test& t, const std::string& log, const std::string& name) {
 void check_names(Test& t) {
   gl.ARKinit(1);
   const std::string log = expect_fault(t, "void refine() {\n  position = refine(position);\n}\n", 2, "wrong arguments");
-  t.expect(log.find("refine(") != std::string::npos, "the log has the name of the function: " + log);
   expect_own_name(t, log, "refine");
 }
 

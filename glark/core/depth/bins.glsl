@@ -121,7 +121,7 @@ int tag_of(int corner) {
   if (tag_offset < 0) {
     return uniform_tag * depth_steps;
   }
-  return steps_of(uintBitsToFloat(records[record_offset + (3 * triangle + corner) * corner_words + tag_offset]));
+  return steps_of(records[record_offset + (3 * triangle + corner) * corner_words + tag_offset]);
 }
 
 void emit_instance(int piece, float ou, float ov, float s, float r) {

@@ -6,9 +6,10 @@
 
 const int depth_steps = GLARK_STEPS;  // per level
 
-// Not-a-number gives 0.
-int steps_of(float tag) {
-  if (!(tag > 0.0)) return 0;
+// `word`: the bits of a tag. Not-a-number gives 0. Compilers may assume that a float is a number, so its bits tell.
+int steps_of(uint word) {
+  if (int(word) <= 0 || word > 0x7f800000u) return 0;
+  float tag = uintBitsToFloat(word);
   float steps = min(tag * float(depth_steps), float(pool_level * depth_steps));
   float whole = floor(steps);  // steps + 0.5 would round values just below a half up to 1
   return int(whole) + (steps - whole >= 0.5 ? 1 : 0);

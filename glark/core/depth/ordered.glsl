@@ -70,7 +70,7 @@ void emit_instance(int piece, float ou, float ov, float s, float r) {
 #include "glark/core/pattern/expand.glsl.h"
 
 int tag_of(int corner) {
-  return steps_of(uintBitsToFloat(records[record_offset + corner * corner_words + tag_offset]));
+  return steps_of(records[record_offset + corner * corner_words + tag_offset]);
 }
 
 void expand(int triangle) {

@@ -61,7 +61,7 @@ void RefinedFeedback::hand_back() {
     return;
   }
   const Quiet quiet = env_.state.quiet();
-  env_.gl.EndTransformFeedback();
+  end_ours();
   set_program(nullptr);
   env_.gl.BeginTransformFeedback(in_use_.mode);
 }
@@ -71,7 +71,29 @@ bool RefinedFeedback::refuses(GLenum mode) const {
   return points_or_lines && in_use_.captures(env_.bindings()) && in_use_.mode == GL_TRIANGLES;
 }
 
+bool RefinedFeedback::can_return() const {
+  const std::shared_ptr<Program> current = env_.state.programs().current();
+  return env_.bindings().program == 0 ||
+         (current != nullptr && current->linked && current->cause != Cause::program_gone);
+}
+
+void RefinedFeedback::end_ours() const {
+  programs_.use_derived(*in_use_.program, nullptr);
+  env_.gl.ResumeTransformFeedback();
+  env_.gl.EndTransformFeedback();
+  programs_.use_application();
+}
+
 void RefinedFeedback::end() {
+  if (ours()) {
+    env_.state.refresh();
+  }
+  if (ours() && env_.bindings().transform_feedback.active && can_return()) {
+    const Quiet quiet = env_.state.quiet();
+    end_ours();
+  } else {
+    env_.gl.EndTransformFeedback();
+  }
   set_program(nullptr);
   awaited_ = GL_NONE;
 }

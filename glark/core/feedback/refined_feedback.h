@@ -27,6 +27,8 @@ class RefinedFeedback {
   void take_over();
   // Before an unrefined draw: gives the feedback to GL, unless it has captured refined triangles.
   void hand_back();
+  // glEndTransformFeedback. Resumes ours first: NVIDIA (580) takes a feedback that ends while it is paused and another
+  // program is in use for one that goes on, and then refuses to link programs.
   void end();
 
   FeedbackRoom& room() { return room_; }
@@ -38,6 +40,9 @@ class RefinedFeedback {
   bool refuses(GLenum mode) const;
 
  private:
+  // Returns whether the program in use can be bound again after another one.
+  bool can_return() const;
+  void end_ours() const;
   void set_program(std::shared_ptr<DerivedProgram> program);
 
   const Environment& env_;

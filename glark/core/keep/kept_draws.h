@@ -25,6 +25,7 @@ struct KeyFacts {
   const capture::CapturePlan& capture;
   const depth::DepthPlan& depth;
   bool split = false;  // polygons, at their centroids
+  bool cut = false;    // quads, again
   bool welded = false;
   float crease = 0;        // of welded triangles, in degrees
   std::uint64_t pool = 0;  // number of the pattern pool

@@ -18,7 +18,8 @@
 
 namespace glark::core {
 
-// The triangles that will be drawn: the captured ones, or those about the centroids of their polygons.
+// The triangles that will be drawn: the captured ones, those about the centroids of their polygons, or quads
+// that are cut again.
 struct Records {
   capture::CoarseTriangles triangles;
   const GpuBuffer* count_command = nullptr;

@@ -24,6 +24,17 @@ std::vector<Patch> uniform_tiles(unsigned max_level) {
   return patches;
 }
 
+// Words of a DrawElementsIndirectCommand for each uniform piece, without instances. They are
+// written once: NVIDIA (580) loses what glBufferSubData writes to a buffer into which the GPU has just written.
+std::vector<std::uint32_t> uniform_commands(const PieceTable& pieces) {
+  std::vector<std::uint32_t> words;
+  for (int level = 0; level <= deepest_uniform; ++level) {
+    const Piece& piece = pieces[static_cast<std::size_t>(uniform_piece(level))];
+    words.insert(words.end(), {piece.index_count, 0, piece.first_index, static_cast<std::uint32_t>(piece.base_vertex), 0});
+  }
+  return words;
+}
+
 // Makes indices count from the beginning of the pool, so that no draw needs a base vertex. With a base vertex, llvmpipe
 // takes a slower path for every index, which costs a sixth of the speed of the vertex stage.
 void point_into_pool(Pool& pool) {
@@ -54,13 +65,16 @@ bool GpuPool::build(const gl::Dispatch& gl, unsigned max_level, bool nested) {
   Pool pool = build_pool(max_level, nested);
   point_into_pool(pool);
   const std::vector<Patch> tiles = uniform_tiles(max_level);
+  const std::vector<std::uint32_t> commands = uniform_commands(pool.pieces);
   GpuPool fresh;
   if (!fresh.vertices_.allocate(gl, static_cast<std::int64_t>(pool.vertices.size() * sizeof(pool.vertices[0])),
                                 pool.vertices.data(), GL_STATIC_DRAW) ||
       !fresh.indices_.allocate(gl, static_cast<std::int64_t>(pool.indices.size() * sizeof(pool.indices[0])),
                                pool.indices.data(), GL_STATIC_DRAW) ||
       !fresh.patches_.allocate(gl, static_cast<std::int64_t>(tiles.size() * sizeof(tiles[0])), tiles.data(),
-                               GL_STATIC_DRAW)) {
+                               GL_STATIC_DRAW) ||
+      !fresh.commands_.allocate(gl, static_cast<std::int64_t>(commands.size() * sizeof(commands[0])), commands.data(),
+                                GL_DYNAMIC_COPY)) {
     fresh.release(gl);
     return false;
   }
@@ -85,6 +99,7 @@ void GpuPool::release(const gl::Dispatch& gl) {
   vertices_.release(gl);
   indices_.release(gl);
   patches_.release(gl);
+  commands_.release(gl);
 }
 
 }  // namespace glark::pattern

@@ -25,10 +25,16 @@ class GpuPool {
   GLuint vertices() const { return vertices_.name(); }  // LatticeVertex
   GLuint indices() const { return indices_.name(); }    // uint16
   GLuint patches() const { return patches_.name(); }    // vec4: the tiles of uniform levels, see first_tile()
+  // A DrawElementsIndirectCommand for each uniform piece, which lacks only the number of instances. A draw whose number
+  // the GPU alone knows copies it there.
+  const core::GpuBuffer& commands() const { return commands_; }
+  static GLintptr command_of(unsigned uniform_level) { return static_cast<GLintptr>(uniform_level) * command_bytes; }
   const Piece& piece(int index) const { return pieces_[static_cast<std::size_t>(index)]; }
   // Reads the indices of a piece back; none if GL cannot map them. For rare paths.
   std::vector<std::uint16_t> read_indices(const gl::Dispatch& gl, const Piece& piece) const;
-  std::int64_t gpu_bytes() const { return vertices_.size() + indices_.size() + patches_.size(); }
+  std::int64_t gpu_bytes() const {
+    return vertices_.size() + indices_.size() + patches_.size() + commands_.size();
+  }
 
   // A uniform level is drawn as tile_count(level) tiles of uniform(min(level, deepest_uniform)).
   static unsigned tile_count(unsigned level) {
@@ -37,11 +43,14 @@ class GpuPool {
   static unsigned first_tile(unsigned level);
 
  private:
+  static constexpr GLintptr command_bytes = 20;
+
   unsigned max_level_ = 0;
   bool nested_ = false;
   core::GpuBuffer vertices_;
   core::GpuBuffer indices_;
   core::GpuBuffer patches_;
+  core::GpuBuffer commands_;
   PieceTable pieces_{};
 };
 

@@ -235,7 +235,7 @@ void Planner::choose_depths(const DrawCall& call, DrawPlan& plan) const {
 // Returns whether the refined draw would equal the original one.
 bool Planner::changes_nothing(const DrawPlan& plan, Purpose purpose) const {
   const bool may_split = purpose == Purpose::feedback && splits_polygons(env_.options, env_.ark);
-  const bool reshapes = displaces(env_.options, env_.ark) || plan.polygons || may_split;
+  const bool reshapes = displaces(env_.options, env_.ark) || (plan.polygons && plan.cut_about < 0) || may_split;
   return !plan.depth.adaptive && plan.depth.level == 0 && plan.program->refinement_source.empty() &&
          !parts_.feedback.ours() && !reshapes;
 }
@@ -283,6 +283,7 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
                                                  .tagged = depth.adaptive && !depth.measured,
                                                  .placed = plan.placed,
                                                  .morphing = depth.morphing});
+  key.provoking_corner = plan.provoking_corner.value_or(key.provoking_corner);
   key.normal_attribute = normal.attribute;
   key.instanced = instanced;
   add_welded_words(

@@ -45,6 +45,11 @@ std::optional<Decomposition> quad_decomposition(GLenum mode, std::span<const flo
   for (int vertex = 0; vertex < 4; ++vertex) {
     const auto* const found = std::find(corners.begin(), corners.end(), vertex);
     result.corners[static_cast<std::size_t>(vertex)] = static_cast<GLint>(found - corners.begin());
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      if (corners[corner] == vertex && corners[corner + 3] == vertex) {
+        result.common_corners[static_cast<std::size_t>(vertex)] = static_cast<int>(corner);
+      }
+    }
   }
   return result;
 }
@@ -59,6 +64,7 @@ std::optional<Decomposition> fan_decomposition(std::span<const float> numbers) {
     }
   }
   Decomposition result{.fan = true};
+  result.common_corners[0] = static_cast<int>(hub);
   std::copy(std::begin(corners), std::end(corners), result.corners.begin());
   return result;
 }

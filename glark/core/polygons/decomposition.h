@@ -19,6 +19,9 @@ namespace glark::polygons {
 struct Decomposition {
   bool fan = false;
   std::array<GLint, 4> corners{};
+  // The corner at which every triangle of the polygon has its vertex k; -1 if a triangle lacks that vertex, or has it at
+  // another corner. Fan: only for vertex 0.
+  std::array<int, 4> common_corners{-1, -1, -1, -1};
 };
 
 // The edge that divides a quad, by the numbers of its vertices along the boundary.
@@ -27,6 +30,12 @@ enum class Diagonal { from_first, from_second };
 constexpr Diagonal diagonal_of(const Decomposition& quad) {
   // The first triangle lacks one vertex. The diagonal does not pass through that vertex.
   return quad.corners[0] > 2 || quad.corners[2] > 2 ? Diagonal::from_second : Diagonal::from_first;
+}
+
+// The provoking vertex of a polygon, by its number along the boundary. `first`: of a quad under
+// GL_FIRST_VERTEX_CONVENTION, if quads follow it. OpenGL 4.6 compatibility, table 13.2.
+constexpr int provoking_vertex(GLenum mode, bool first) {
+  return mode == GL_POLYGON || first ? 0 : mode == GL_QUAD_STRIP ? 2 : 3;
 }
 
 inline bool is_polygon_mode(GLenum mode) { return mode == GL_QUADS || mode == GL_QUAD_STRIP || mode == GL_POLYGON; }

@@ -81,13 +81,11 @@ void SubmitStage::draw_uniform(const pattern::GpuPool& pool, const UniformDraw& 
                                    ? draw.level
                                    : static_cast<unsigned>(pattern::deepest_uniform);
   const pattern::Piece& piece = pool.piece(pattern::uniform_piece(static_cast<int>(piece_level)));
+  const GLintptr command = pattern::GpuPool::command_of(piece_level);
   if (triangles.count_on_gpu) {
-    // All words but the instance count, which the query has written.
-    const std::uint32_t rest[3] = {piece.first_index, piece.base_vertex, 0};
-    gl_.BindBuffer(GL_DRAW_INDIRECT_BUFFER, draw.count_command->name());
-    gl_.BufferSubData(GL_DRAW_INDIRECT_BUFFER, offsetof(capture::CountCommand, index_count), sizeof(std::uint32_t),
-                      &piece.index_count);
-    gl_.BufferSubData(GL_DRAW_INDIRECT_BUFFER, offsetof(capture::CountCommand, first_index), sizeof(rest), rest);
+    constexpr GLintptr count_at = offsetof(capture::CountCommand, instance_count);
+    pool.commands().copy_from(gl_, draw.count_command->name(), count_at, command + count_at, sizeof(std::uint32_t));
+    gl_.BindBuffer(GL_DRAW_INDIRECT_BUFFER, pool.commands().name());
   }
   const unsigned first = pattern::GpuPool::first_tile(draw.level);
   for (unsigned tile = 0; tile < pattern::GpuPool::tile_count(draw.level); ++tile) {
@@ -96,7 +94,7 @@ void SubmitStage::draw_uniform(const pattern::GpuPool& pool, const UniformDraw& 
                            patch_bytes);
     }
     if (triangles.count_on_gpu) {
-      gl_.DrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, nullptr);
+      gl_.DrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, reinterpret_cast<const void*>(command));
     } else {
       gl_.DrawElementsInstanced(GL_TRIANGLES, static_cast<GLsizei>(piece.index_count), GL_UNSIGNED_SHORT,
                                 index_offset(piece.first_index), static_cast<GLsizei>(triangles.count));

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "glark/core/objects/get_integer.h"
 #include "glark/core/track/filled_draws.h"
 #include "glark/core/track/lists/lists.h"
 #include "glark/core/track/track.h"
@@ -37,6 +38,16 @@ void draw(Context& context, const DrawCall& call) {
     return;
   }
   refine(context, call);
+}
+
+bool restarts_at_vertex(Context& context, std::uint64_t end) {
+  if (context.state().immediate().open()) {
+    return false;
+  }
+  context.state().refresh();
+  const Bindings& b = context.state().bindings();
+  return b.primitive_restart && !b.primitive_restart_fixed &&
+         static_cast<GLuint>(get_integer(context.gl(), GL_PRIMITIVE_RESTART_INDEX)) < end;
 }
 
 namespace {
@@ -99,13 +110,16 @@ void draw_arrays(Context& context, const ArrayDraw& draw_of, Issue issue) {
   }
   const std::uint64_t triangles = triangles_of(draw_of.mode, static_cast<std::uint64_t>(draw_of.count)) *
                                   static_cast<std::uint64_t>(draw_of.instances);
-  const Polygons polygons = polygons_of(context, draw_of);
+  const bool exact = !restarts_at_vertex(context, static_cast<std::uint64_t>(draw_of.first) +
+                                                      static_cast<std::uint64_t>(draw_of.count));
+  const Polygons polygons = exact ? polygons_of(context, draw_of) : Polygons(context, GL_TRIANGLES);
   draw(context, {.mode = draw_of.mode,
                  .triangles = triangles,
+                 .exact = exact,
                  .whole_polygons = tells_polygons_apart(draw_of.mode, static_cast<std::uint64_t>(draw_of.instances)),
                  .polygon_sides = polygons.sides(),
                  .from_arrays = true,
-                 .arrays = &draw_of,
+                 .arrays = exact ? &draw_of : nullptr,
                  .issue = issue});
 }
 
@@ -139,6 +153,16 @@ std::uint64_t triangles_of_all(GLenum mode, const GLsizei* count, GLsizei draws)
     total += triangles_of(mode, static_cast<std::uint64_t>(count[i]));
   }
   return total;
+}
+
+// One past the greatest vertex of all draws.
+std::uint64_t end_of_all(const GLint* first, const GLsizei* count, GLsizei draws) {
+  std::uint64_t end = 0;
+  for (GLsizei i = 0; i < draws; ++i) {
+    const auto sum = std::int64_t{first[i]} + count[i];
+    end = count[i] > 0 && sum > 0 ? std::max(end, static_cast<std::uint64_t>(sum)) : end;
+  }
+  return end;
 }
 
 // Only the GPU knows the number of vertices; the buffers that they were captured to give a bound.
@@ -293,10 +317,11 @@ void MultiDrawArrays(Context& c, GLenum mode, const GLint* first, const GLsizei*
     c.gl().MultiDrawArrays(mode, filled.arguments(first).data(), filled.counts(), draws);
   };
   const Issue captured(draw_filled);
-  const track::Polygons polygons = track::polygons_of(c, mode, count, draws);
+  const bool restarts = track::restarts_at_vertex(c, track::end_of_all(first, count, draws));
+  const track::Polygons polygons = track::polygons_of(c, mode, count, restarts ? 0 : draws);
   track::draw(c, {.mode = mode,
                   .triangles = track::triangles_of_all(mode, count, draws),
-                  .exact = !joins_strips(c, mode, draws),
+                  .exact = !restarts && !joins_strips(c, mode, draws),
                   .whole_polygons = tells_polygons_apart(mode, static_cast<std::uint64_t>(draws)),
                   .polygon_sides = polygons.sides(),
                   .from_arrays = true,

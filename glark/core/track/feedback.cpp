@@ -36,10 +36,11 @@ void BeginTransformFeedback(Context& c, GLenum mode) {
 }
 
 void EndTransformFeedback(Context& c) {
-  c.gl().EndTransformFeedback();
   if (c.stages() != nullptr) {
     c.stages()->feedback().end();
     c.update_refining();
+  } else {
+    c.gl().EndTransformFeedback();
   }
   c.writes().by_gpu();
   c.state().forget_bindings();

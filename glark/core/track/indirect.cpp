@@ -84,11 +84,13 @@ void draw_indirect(Context& c, const IndirectDraw& call, Issue issue) {
   const Commands commands = read_commands(c, call);
   std::uint64_t triangles = 0;
   std::uint64_t primitives = 0;
+  std::uint64_t end = 0;
   PolygonSides sides;
   for (std::size_t i = 0; i < commands.words.size(); i += commands.words_each) {
     const std::uint32_t vertices = commands.words[i];
     const std::uint32_t instances = commands.words[i + 1];
     triangles += triangles_of(call.mode, vertices) * instances;
+    end = std::max(end, std::uint64_t{commands.words[i + 2]} + vertices);  // of a draw without indices
     primitives += instances;
     if (call.mode == GL_POLYGON && splits_polygons(c.options(), c.ark()) && vertices >= 3) {
       sides.insert(sides.end(), instances, vertices);
@@ -100,16 +102,17 @@ void draw_indirect(Context& c, const IndirectDraw& call, Issue issue) {
   }
   c.state().refresh();
   const bool restarts = c.state().bindings().primitive_restart || c.state().bindings().primitive_restart_fixed;
-  const bool may_restart = restarts && call.command_bytes != arrays_command_bytes;
+  const bool indexed = call.command_bytes != arrays_command_bytes;
+  const bool may_restart = indexed ? restarts : track::restarts_at_vertex(c, end);
   const ArrayDraw arrays{.mode = call.mode, .index_type = call.index_type};
-  const bool keeps = call.exact && commands.words.size() <= most_kept_words;
+  const bool keeps = call.exact && (indexed || !may_restart) && commands.words.size() <= most_kept_words;
   track::draw(c, {.mode = call.mode,
                   .triangles = triangles,
                   .exact = call.exact && !may_restart,
                   .whole_polygons = tells_polygons_apart(call.mode, primitives),
                   .polygon_sides = may_restart || sides.empty() ? nullptr : &sides,
                   .from_arrays = true,
-                  .indexed = call.command_bytes != arrays_command_bytes,
+                  .indexed = indexed,
                   .arrays = keeps ? &arrays : nullptr,
                   .commands = commands.words,
                   .issue = issue});

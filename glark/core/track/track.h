@@ -12,6 +12,10 @@
 
 namespace glark::core::track {
 
+// Returns whether GL may restart a primitive within a draw without indices of vertices below `end`. OpenGL 4.6, 10.3.6,
+// forbids it, but NVIDIA (580) does so at the vertex with the number of the restart index.
+bool restarts_at_vertex(Context& context, std::uint64_t end);
+
 // Records the application's draw in the display list that is being cut, or gives it to the stages.
 void draw(Context& context, const DrawCall& call);
 // refine() gives a draw to the stages; leave() issues it unrefined. Either may give the application's transform feedback

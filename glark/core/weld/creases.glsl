@@ -67,7 +67,7 @@ Face face_of(uvec4 a, uvec4 b, uvec4 c) {
   precise vec3 first = uintBitsToFloat((c_first ? least : c).xyz) - from;
   precise vec3 second = uintBitsToFloat(other.xyz) - from;
   float scale = max(largest(first), largest(second));
-  if (!(scale > 0.0)) {
+  if (scale == 0.0) {
     return Face(0.0, vec3(0.0));
   }
   first /= scale;
@@ -298,11 +298,11 @@ vec3 limited(vec3 control, vec4 near, vec4 far, int slot) {
   precise vec3 offset = control - straight;
   precise float most = 1.5 * uintBitsToFloat(~height);
   float scale = largest(offset);
-  precise float size = scale * length(offset / scale);  // no square under- or overflows
-  if (!(size > most)) {
-    return control;
+  if (scale == 0.0) {
+    return control;  // no comparison below may meet a number that is none: NVIDIA turns !(a > b) into a <= b
   }
+  precise float size = scale * length(offset / scale);  // no square under- or overflows
   precise vec3 shortened = straight + (most / size) * offset;
-  return shortened;
+  return size > most ? shortened : control;
 }
 #endif

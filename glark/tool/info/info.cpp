@@ -53,13 +53,17 @@ int try_egl(const char* way, Api api) {
   egl_get_proc = symbol<decltype(egl_get_proc)>(library, "eglGetProcAddress");
   if (egl_get_proc == nullptr) return no_context;
   const auto get_display = reinterpret_cast<PFNEGLGETPLATFORMDISPLAYEXTPROC>(egl_get_proc("eglGetPlatformDisplayEXT"));
+  const auto get_default = symbol<decltype(&eglGetDisplay)>(library, "eglGetDisplay");
   const auto initialize = symbol<decltype(&eglInitialize)>(library, "eglInitialize");
   const auto bind_api = symbol<decltype(&eglBindAPI)>(library, "eglBindAPI");
   const auto create = symbol<decltype(&eglCreateContext)>(library, "eglCreateContext");
   const auto make_current = symbol<decltype(&eglMakeCurrent)>(library, "eglMakeCurrent");
-  if (!get_display || !initialize || !bind_api || !create || !make_current) return no_context;
+  if (!get_display || !get_default || !initialize || !bind_api || !create || !make_current) return no_context;
   EGLDisplay display = get_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-  if (display == EGL_NO_DISPLAY || !initialize(display, nullptr, nullptr)) return no_context;
+  if (display == EGL_NO_DISPLAY || !initialize(display, nullptr, nullptr)) {
+    display = get_default(EGL_DEFAULT_DISPLAY);  // drivers that are not Mesa's
+    if (display == EGL_NO_DISPLAY || !initialize(display, nullptr, nullptr)) return no_context;
+  }
   bind_api(api == Api::es ? EGL_OPENGL_ES_API : EGL_OPENGL_API);
   const EGLint version[] = {EGL_CONTEXT_CLIENT_VERSION, api == Api::es ? 3 : 1, EGL_NONE};
   EGLContext context = create(display, nullptr, EGL_NO_CONTEXT, version);

@@ -4,8 +4,6 @@
 // A core profile context by EGL without a surface. It draws to a framebuffer object, and is linked to libOpenGL,
 // without libGL. Built twice, for two scenes.
 #define GL_GLEXT_PROTOTYPES 1
-#include <EGL/egl.h>
-#include <EGL/eglext.h>
 #include <GL/gl.h>
 #include <GL/glext.h>
 
@@ -19,6 +17,7 @@
 
 #include "tests/clients/scene/scene_shader.h"
 #endif
+#include "tests/clients/scene/egl_display.h"
 
 static void make_framebuffer(void) {
   GLuint framebuffer;
@@ -41,8 +40,8 @@ int main(int argc, char** argv) {
       EGL_CONTEXT_MAJOR_VERSION,           4,       EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
       EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
   const int frames = frame_count(argc, argv);
-  const EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
-  require(eglInitialize(display, NULL, NULL) && eglBindAPI(EGL_OPENGL_API), "no surfaceless EGL display");
+  const EGLDisplay display = open_egl_display();
+  require(display != EGL_NO_DISPLAY && eglBindAPI(EGL_OPENGL_API), "no EGL display");
   const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
   require(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context), "no context of OpenGL 4.5 core");
   make_framebuffer();

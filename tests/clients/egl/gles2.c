@@ -3,8 +3,6 @@
 //
 // A program of OpenGL ES 2, drawing to an EGL pbuffer; linked to libGLESv2. Its context has OpenGL ES 3.2 if the driver
 // has it, else OpenGL ES 2 or higher, as the driver likes.
-#include <EGL/egl.h>
-#include <EGL/eglext.h>
 #include <GLES2/gl2.h>
 
 #define GL(name) gl##name
@@ -13,6 +11,7 @@
 #define SCENE_HAS_VAO 0
 
 #include "tests/clients/scene/scene_shader.h"
+#include "tests/clients/scene/egl_display.h"
 
 static EGLContext make_context(EGLDisplay display, EGLConfig config) {
   static const EGLint newest[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 2, EGL_NONE};
@@ -38,8 +37,8 @@ int main(int argc, char** argv) {
                                   EGL_NONE};
   static const EGLint size[] = {EGL_WIDTH, picture_size, EGL_HEIGHT, picture_size, EGL_NONE};
   const int frames = frame_count(argc, argv);
-  const EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
-  require(eglInitialize(display, NULL, NULL) && eglBindAPI(EGL_OPENGL_ES_API), "no surfaceless EGL display");
+  const EGLDisplay display = open_egl_display();
+  require(display != EGL_NO_DISPLAY && eglBindAPI(EGL_OPENGL_ES_API), "no EGL display");
   EGLConfig config;
   EGLint configs = 0;
   require(eglChooseConfig(display, wanted, &config, 1, &configs) && configs == 1, "no EGL config");

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 //
 // OpenGL ES 3.2 through EGL without a surface: refinement by tags and by a uniform depth, errors, and kept captures.
-#include <EGL/egl.h>
-#include <EGL/eglext.h>
 #include <GLES3/gl32.h>
 #include <gtest/gtest.h>
 
@@ -15,6 +13,7 @@
 #include <vector>
 
 #include "include/GL/glark.h"
+#include "tests/clients/scene/egl_display.h"
 
 namespace glark::core::test {
 namespace {
@@ -31,8 +30,8 @@ const char* const fragment_shader =
 class Es : public testing::Test {
  protected:
   void SetUp() override {
-    display_ = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-    if (display_ == EGL_NO_DISPLAY || eglInitialize(display_, nullptr, nullptr) == EGL_FALSE) GTEST_SKIP() << "no EGL";
+    display_ = open_egl_display();
+    if (display_ == EGL_NO_DISPLAY) GTEST_SKIP() << "no EGL";
     eglBindAPI(EGL_OPENGL_ES_API);
     const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 2, EGL_NONE};
     context_ = eglCreateContext(display_, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);

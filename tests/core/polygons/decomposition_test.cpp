@@ -30,6 +30,22 @@ TEST(Decomposition, TheDiagonalPassesThroughCornersOfBothTriangles) {
   EXPECT_EQ(diagonal_of(*of(GL_QUAD_STRIP, {2, 0, 3, 0, 1, 3, 4, 2, 5, 2, 3, 5})), Diagonal::from_first);
 }
 
+using Common = std::array<int, 4>;
+
+TEST(Decomposition, CommonCornersAreThoseOfAllTriangles) {
+  EXPECT_EQ(of(GL_QUADS, {0, 1, 3, 1, 2, 3, 4, 5, 7, 5, 6, 7})->common_corners, (Common{-1, -1, -1, 2}));
+  EXPECT_EQ(of(GL_QUADS, {0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7})->common_corners, (Common{0, -1, -1, -1}));
+  EXPECT_EQ(of(GL_QUAD_STRIP, {0, 1, 3, 0, 3, 2, 2, 3, 5, 2, 5, 4})->common_corners, (Common{0, -1, -1, -1}));
+  EXPECT_EQ(of(GL_POLYGON, {1, 2, 0, 2, 3, 0, 3, 4, 0})->common_corners, (Common{2, -1, -1, -1}));
+}
+
+TEST(Decomposition, ProvokingVertexAlongTheBoundary) {
+  EXPECT_EQ(provoking_vertex(GL_QUADS, false), 3);
+  EXPECT_EQ(provoking_vertex(GL_QUAD_STRIP, false), 2) << "the last of the four vertices";
+  EXPECT_EQ(provoking_vertex(GL_QUADS, true), 0);
+  EXPECT_EQ(provoking_vertex(GL_POLYGON, false), 0);
+}
+
 TEST(Decomposition, QuadStripGoesAroundItsBoundary) {
   EXPECT_EQ(of(GL_QUAD_STRIP, {2, 0, 3, 0, 1, 3, 4, 2, 5, 2, 3, 5})->corners, (Corners{1, 4, 2, 0}));
 }

@@ -107,7 +107,7 @@ TEST(DeriveEs, RefinementSourceErrorsNameTheirLine) {
     e.record = make_record(inputs(std::string(stage.version) != "100"));
     e.varyings = {"gl_Position"};
     const std::string log = run(e).error;
-    EXPECT_NE(log_for_author(log, "glark_").find("refinement shader:3("), std::string::npos) << log;
+    EXPECT_NE(log_for_author(log, "glark_").find("refinement shader:3"), std::string::npos) << log;
     e.request.refinement_source = "void refine() {\n  position.z += 1.0;\n}";
     const Refined refined = run(e);
     ASSERT_EQ(refined.error, "");

@@ -19,6 +19,29 @@ void PolygonCapture::choose_split(const DrawCall& call, DrawPlan& plan) {
       plan.polygon_sides = *call.polygon_sides;
     }
   }
+  if (!plan.polygons) {
+    find_provoking_corner(call, plan);
+  }
+}
+
+void PolygonCapture::find_provoking_corner(const DrawCall& call, DrawPlan& plan) {
+  const Bindings& b = env_.bindings();
+  const bool flat = b.shade_model == GL_FLAT || plan.program->traits.writes_flat_outputs;
+  if (!flat || !polygons::is_polygon_mode(call.mode) || !env_.capabilities.is_compatibility()) {
+    return;
+  }
+  const std::optional<polygons::Decomposition> captured = decompositions_.find(call.mode, convention(plan));
+  if (!captured) {
+    return;
+  }
+  const bool first = b.provoking_vertex == GL_FIRST_VERTEX_CONVENTION && env_.capabilities.quads_follow_convention;
+  const int vertex = polygons::provoking_vertex(call.mode, first);
+  const int corner = captured->common_corners[static_cast<std::size_t>(vertex)];
+  if (corner < 0 && !captured->fan) {
+    plan.polygons = captured;
+    plan.cut_about = vertex;
+  }
+  plan.provoking_corner = corner < 0 ? 2 : corner;
 }
 
 GLenum PolygonCapture::convention(const DrawPlan& plan) const {

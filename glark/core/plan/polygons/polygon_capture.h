@@ -20,13 +20,16 @@ class PolygonCapture {
   PolygonCapture(const Environment& environment, capture::DrawCapture& capture, const ProgramSwitch& programs)
       : env_(environment), decompositions_(environment, capture, programs), diagonals_(environment, programs) {}
 
-  // Plans the split at centroids. The plan has a program.
+  // Plans the split at centroids, or for flat outputs. The plan has a program.
   void choose_split(const DrawCall& call, DrawPlan& plan);
   // Has quads captured under the other convention if they are then cut as GL draws them. The plan has a derived
   // program.
   void follow_drawn_diagonal(const DrawCall& call, DrawPlan& plan);
 
  private:
+  // Finds the provoking vertex among the captured corners. Quads whose triangles do not have it at the same corner are
+  // cut again.
+  void find_provoking_corner(const DrawCall& call, DrawPlan& plan);
   GLenum convention(const DrawPlan& plan) const;
 
   const Environment& env_;
