@@ -12,8 +12,8 @@ namespace glark::core {
 namespace {
 
 KeyFacts key_facts(const DrawPlan& plan, const pattern::PoolInUse& pool) {
-  return {plan.capture, plan.depth,       plan.polygons.has_value(), plan.cut_about >= 0,
-          plan.weld.on, plan.weld.crease, pool.number()};
+  return {plan.capture,     plan.depth,   plan.polygons.has_value(), plan.cut_about >= 0, plan.weld.on,
+          plan.weld.crease, pool.number()};
 }
 
 // The plan of the same draw with its coarse triangles.

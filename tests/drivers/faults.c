@@ -7,6 +7,7 @@
 #include <GL/gl.h>
 #include <GL/glext.h>
 #include <stdio.h>
+#include <string.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -205,20 +206,29 @@ static void show_captured_provoking_vertex(void) {
 // OpenGL 4.6, 4.2.3: the result of a query goes into a buffer. What is written beside it later must stay.
 static void show_data_after_query(void) {
   const GLuint one = 1;
-  GLuint words[2] = {0, 0};
+  GLuint words[5] = {0, 0, 0, 0, 0};
   GLuint buffer = 0;
   GLuint query = 0;
-  glGenQueries(1, &query);
-  glBeginQuery(GL_PRIMITIVES_GENERATED, query);
-  glDrawArrays(GL_TRIANGLES, 0, 3);
-  glEndQuery(GL_PRIMITIVES_GENERATED);
   glGenBuffers(1, &buffer);
+  glBindBuffer(GL_COPY_WRITE_BUFFER, buffer);
+  glBufferData(GL_COPY_WRITE_BUFFER, sizeof(words), words, GL_DYNAMIC_COPY);
+  glGenQueries(1, &query);
+  bind_result();
+  glEnable(GL_RASTERIZER_DISCARD);
+  glBeginQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, query);
+  glBeginTransformFeedback(GL_TRIANGLES);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glEndTransformFeedback();
+  glEndQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN);
+  glDisable(GL_RASTERIZER_DISCARD);
   glBindBuffer(GL_QUERY_BUFFER, buffer);
-  glBufferData(GL_QUERY_BUFFER, sizeof(words), words, GL_DYNAMIC_COPY);
   glGetQueryObjectuiv(query, GL_QUERY_RESULT, (GLuint*)sizeof(GLuint));
-  glBufferSubData(GL_QUERY_BUFFER, 0, sizeof(one), &one);
-  glGetBufferSubData(GL_QUERY_BUFFER, 0, sizeof(words), words);
   glBindBuffer(GL_QUERY_BUFFER, 0);
+  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, buffer);
+  glBufferSubData(GL_DRAW_INDIRECT_BUFFER, 0, sizeof(one), &one);
+  glDrawArraysIndirect(GL_TRIANGLES, NULL);
+  glGetBufferSubData(GL_DRAW_INDIRECT_BUFFER, 0, sizeof(words), words);
+  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
   print_fault("data_after_query", words[0], 1, "is the word that was written beside the result of a query");
 }
 
@@ -386,6 +396,41 @@ static void draw_captured_integers(void) {
   glFinish();
 }
 
+// A program of ARB_vertex_program gets another text, and draws each.
+static void draw_replaced_text(void) {
+  static const char* const texts[] = {
+      "!!ARBvp1.0\nMOV result.position, vertex.position;\nMOV result.color, vertex.color;\nEND\n",
+      "!!ARBvp1.0\nMOV result.position, vertex.position;\nADD result.color, vertex.color, vertex.color;\nEND\n"};
+  const PFNGLGENPROGRAMSARBPROC generate = (PFNGLGENPROGRAMSARBPROC)eglGetProcAddress("glGenProgramsARB");
+  const PFNGLBINDPROGRAMARBPROC bind = (PFNGLBINDPROGRAMARBPROC)eglGetProcAddress("glBindProgramARB");
+  const PFNGLPROGRAMSTRINGARBPROC set_text = (PFNGLPROGRAMSTRINGARBPROC)eglGetProcAddress("glProgramStringARB");
+  GLuint program = 0;
+  generate(1, &program);
+  bind(GL_VERTEX_PROGRAM_ARB, program);
+  glEnable(GL_VERTEX_PROGRAM_ARB);
+  for (int i = 0; i < 8; ++i) {
+    set_text(GL_VERTEX_PROGRAM_ARB, GL_PROGRAM_FORMAT_ASCII_ARB, (GLsizei)strlen(texts[i % 2]), texts[i % 2]);
+    glRectf(-1, -1, 1, 1);
+    glFinish();
+  }
+}
+
+// GL_FEEDBACK with a shader that chooses between two values.
+static void draw_feedback_of_shader(void) {
+  static float values[1000];
+  program_of(GL_VERTEX_SHADER,
+             "#version 120\n"
+             "void main() { gl_Position = gl_Vertex;\n"
+             "  gl_FrontColor = vec4(gl_Color.y == 0.0 ? 1.0 : pow(max(gl_Color.x, 0.0), gl_Color.y)); }\n",
+             NULL);
+  glFeedbackBuffer(1000, GL_4D_COLOR_TEXTURE, values);
+  glRenderMode(GL_FEEDBACK);
+  glBegin(GL_POINTS);
+  for (int i = 0; i < 9; ++i) glVertex2f(0.1F * (float)i, 0.1F);
+  glEnd();
+  glRenderMode(GL_RENDER);
+}
+
 // Runs `draw` in a process of its own. Call before there is a context.
 static unsigned signal_of(void (*draw)(void)) {
   int status = 0;
@@ -427,6 +472,8 @@ static int print_es_driver(void) {
 int main(void) {
   const unsigned clip_signal = signal_of(capture_and_clip);
   const unsigned integer_signal = signal_of(draw_captured_integers);
+  const unsigned text_signal = signal_of(draw_replaced_text);
+  const unsigned feedback_signal = signal_of(draw_feedback_of_shader);
   GLint major = 0;
   GLint minor = 0;
   GLuint array = 0;
@@ -442,6 +489,8 @@ int main(void) {
   printf("renderer: %s\nversion: %s\n", (const char*)glGetString(GL_RENDERER), (const char*)glGetString(GL_VERSION));
   print_fault("capture_and_clip", clip_signal, 0, "is the signal that ends a program");
   print_fault("captured_integers", integer_signal, 0, "is the signal that ends a program");
+  print_fault("program_string_again", text_signal, 0, "is the signal that ends a program");
+  print_fault("feedback_of_shaders", feedback_signal, 0, "is the signal that ends a program");
   bind_framebuffer();
   glGenVertexArrays(1, &array);
   glBindVertexArray(array);

@@ -214,8 +214,7 @@ void check_centroid_bits(Test& t, GLenum mode, std::size_t count) {
     upload(mesh);
     split_at_centroids(4);
     expect_triangles(
-        t, expected, [=] { gl.DrawArrays(mode, 0, static_cast<GLsizei>(count)); },
-        fmt::format("{} vertices", count));
+        t, expected, [=] { gl.DrawArrays(mode, 0, static_cast<GLsizei>(count)); }, fmt::format("{} vertices", count));
   }
 }
 

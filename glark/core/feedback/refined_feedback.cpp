@@ -78,6 +78,10 @@ bool RefinedFeedback::can_return() const {
 }
 
 void RefinedFeedback::end_ours() const {
+  if (!can_return()) {
+    env_.gl.EndTransformFeedback();
+    return;
+  }
   programs_.use_derived(*in_use_.program, nullptr);
   env_.gl.ResumeTransformFeedback();
   env_.gl.EndTransformFeedback();
@@ -88,7 +92,7 @@ void RefinedFeedback::end() {
   if (ours()) {
     env_.state.refresh();
   }
-  if (ours() && env_.bindings().transform_feedback.active && can_return()) {
+  if (ours() && env_.bindings().transform_feedback.active) {
     const Quiet quiet = env_.state.quiet();
     end_ours();
   } else {

@@ -135,9 +135,9 @@ bool KeptDraws::make_key(const DrawCall& call, const KeyFacts& facts) {
   const capture::CapturePlan& capture = facts.capture;
   key_.clear();
   key_.add(capture.program, capture.convention != 0 ? capture.convention : env_.bindings().provoking_vertex);
-  key_.add(facts.depth.keeps_instances() ? 1 : 0,
-           static_cast<unsigned>(facts.depth.interior) | (facts.split ? 4U : 0U) | (facts.welded ? 8U : 0U) |
-               (facts.cut ? 16U : 0U));
+  key_.add(facts.depth.keeps_instances() ? 1 : 0, static_cast<unsigned>(facts.depth.interior) |
+                                                      (facts.split ? 4U : 0U) | (facts.welded ? 8U : 0U) |
+                                                      (facts.cut ? 16U : 0U));
   key_.add(std::bit_cast<std::uint32_t>(facts.crease));
   key_.add(facts.depth.keeps_instances() ? facts.pool : 0);
   if (facts.welded) {

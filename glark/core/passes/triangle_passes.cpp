@@ -92,11 +92,12 @@ Records TrianglePasses::split(const DrawPlan& plan, const capture::CoarseTriangl
     return {captured, &capture_.count_command()};
   }
   const polygons::SplitRequest request{
-      &layout, captured, *plan.polygons, pool_.pool().max_level(), plan.depth.depth_steps(), plan.cut_about,
-      plan.polygon_sides};
+      &layout,        captured,          *plan.polygons, pool_.pool().max_level(), plan.depth.depth_steps(),
+      plan.cut_about, plan.polygon_sides};
   Records records{captured, &capture_.count_command()};
   if (ensure_split_room(plan, request)) {
-    records = {centroids_.split(request, capture_.stage().count_buffer()), &centroids_.count_command(), plan.cut_about < 0};
+    records = {centroids_.split(request, capture_.stage().count_buffer()), &centroids_.count_command(),
+               plan.cut_about < 0};
   }
   weld_.weld_split(plan.weld, layout, records.triangles, *records.count_command);
   return records;

@@ -24,13 +24,14 @@ std::vector<Patch> uniform_tiles(unsigned max_level) {
   return patches;
 }
 
-// Words of a DrawElementsIndirectCommand for each uniform piece, without instances. They are
-// written once: NVIDIA (580) loses what glBufferSubData writes to a buffer into which the GPU has just written.
+// Words of a DrawElementsIndirectCommand for each uniform piece, without instances. They are written once: NVIDIA (580)
+// loses what glBufferSubData writes to a buffer beside the result of a query.
 std::vector<std::uint32_t> uniform_commands(const PieceTable& pieces) {
   std::vector<std::uint32_t> words;
   for (int level = 0; level <= deepest_uniform; ++level) {
     const Piece& piece = pieces[static_cast<std::size_t>(uniform_piece(level))];
-    words.insert(words.end(), {piece.index_count, 0, piece.first_index, static_cast<std::uint32_t>(piece.base_vertex), 0});
+    words.insert(words.end(),
+                 {piece.index_count, 0, piece.first_index, static_cast<std::uint32_t>(piece.base_vertex), 0});
   }
   return words;
 }

@@ -32,9 +32,7 @@ class GpuPool {
   const Piece& piece(int index) const { return pieces_[static_cast<std::size_t>(index)]; }
   // Reads the indices of a piece back; none if GL cannot map them. For rare paths.
   std::vector<std::uint16_t> read_indices(const gl::Dispatch& gl, const Piece& piece) const;
-  std::int64_t gpu_bytes() const {
-    return vertices_.size() + indices_.size() + patches_.size() + commands_.size();
-  }
+  std::int64_t gpu_bytes() const { return vertices_.size() + indices_.size() + patches_.size() + commands_.size(); }
 
   // A uniform level is drawn as tile_count(level) tiles of uniform(min(level, deepest_uniform)).
   static unsigned tile_count(unsigned level) {

@@ -12,10 +12,9 @@ constexpr char split_source[] =
 #include "glark/core/polygons/centroid_split.glsl.inc"
     ;
 
-constexpr const char* uniform_names[] = {"record_offset", "corner_words", "tag_offset",    "first_integer",
-                                         "pool_level",    "equal_sides",  "polygon_bound", "count_on_gpu",
-                                         "centroids",     "is_fan",       "depth_steps",   "cut_about",
-                                         "corners"};
+constexpr const char* uniform_names[] = {
+    "record_offset", "corner_words", "tag_offset", "first_integer", "pool_level", "equal_sides", "polygon_bound",
+    "count_on_gpu",  "centroids",    "is_fan",     "depth_steps",   "cut_about",  "corners"};
 constexpr std::size_t corners = 12;
 constexpr std::uint32_t group_size = 64;
 constexpr std::uint32_t most_groups = 65535;  // the least GL_MAX_COMPUTE_WORK_GROUP_COUNT

@@ -110,8 +110,8 @@ void draw_arrays(Context& context, const ArrayDraw& draw_of, Issue issue) {
   }
   const std::uint64_t triangles = triangles_of(draw_of.mode, static_cast<std::uint64_t>(draw_of.count)) *
                                   static_cast<std::uint64_t>(draw_of.instances);
-  const bool exact = !restarts_at_vertex(context, static_cast<std::uint64_t>(draw_of.first) +
-                                                      static_cast<std::uint64_t>(draw_of.count));
+  const bool exact = !restarts_at_vertex(
+      context, static_cast<std::uint64_t>(draw_of.first) + static_cast<std::uint64_t>(draw_of.count));
   const Polygons polygons = exact ? polygons_of(context, draw_of) : Polygons(context, GL_TRIANGLES);
   draw(context, {.mode = draw_of.mode,
                  .triangles = triangles,

@@ -10,8 +10,8 @@
 #define SCENE_GLSL_FRAGMENT SCENE_GLSL_100_FRAGMENT
 #define SCENE_HAS_VAO 0
 
-#include "tests/clients/scene/scene_shader.h"
 #include "tests/clients/scene/egl_display.h"
+#include "tests/clients/scene/scene_shader.h"
 
 static EGLContext make_context(EGLDisplay display, EGLConfig config) {
   static const EGLint newest[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 2, EGL_NONE};

@@ -52,7 +52,8 @@ std::string eye_normal_statement(const FixedFunctionState& state) {
   if (state.normalize) return "  vec3 eye_normal = normalize(gl_NormalMatrix * gl_Normal);\n";
   // Not gl_NormalScale: NVIDIA (580) gives its inverse. OpenGL 4.6 compatibility, 12.1.3.
   if (state.rescale_normal)
-    return "  vec3 eye_normal = inversesqrt(dot(gl_NormalMatrix[2], gl_NormalMatrix[2])) * (gl_NormalMatrix * gl_Normal);\n";
+    return "  vec3 eye_normal = inversesqrt(dot(gl_NormalMatrix[2], gl_NormalMatrix[2])) * (gl_NormalMatrix * "
+           "gl_Normal);\n";
   return "  vec3 eye_normal = gl_NormalMatrix * gl_Normal;\n";
 }
 

@@ -66,7 +66,11 @@ class AssemblyValues : public testing::Test {
     return color;
   }
 
+  // Into a new program: Mesa 25 crashes where a program gets its text anew (tests/drivers/faults.c).
   static void load(GLenum target, const std::string& text) {
+    GLuint program = 0;
+    GL_CALL(glGenProgramsARB)(1, &program);
+    GL_CALL(glBindProgramARB)(target, program);
     GL_CALL(glProgramStringARB)(target, GL_PROGRAM_FORMAT_ASCII_ARB, static_cast<GLsizei>(text.size()), text.data());
     ASSERT_EQ(glGetError(), GLenum{GL_NO_ERROR}) << glGetString(GL_PROGRAM_ERROR_STRING_ARB) << "\n" << text;
   }

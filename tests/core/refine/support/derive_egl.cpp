@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "tests/core/refine/support/derive_harness.h"
 #include "tests/clients/scene/egl_display.h"
+#include "tests/core/refine/support/derive_harness.h"
 
 namespace glark::refine::test {
 
