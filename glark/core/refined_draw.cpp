@@ -12,7 +12,7 @@ namespace glark::core {
 namespace {
 
 KeyFacts key_facts(const DrawPlan& plan, const pattern::PoolInUse& pool) {
-  return {plan.capture,     plan.depth,   plan.polygons.has_value(), plan.cut_about >= 0, plan.weld.on,
+  return {plan.capture,     plan.depth,   plan.polygons.has_value(), plan.cut.has_value(), plan.weld.on,
           plan.weld.crease, pool.number()};
 }
 

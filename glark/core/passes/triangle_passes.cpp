@@ -21,6 +21,7 @@ TrianglePasses::TrianglePasses(const Environment& environment, const pattern::Po
       pool_(pool),
       capture_(capture),
       centroids_(environment.gl),
+      cuts_(environment.gl),
       weld_(environment, capture::language_of(environment.capabilities)),
       sorter_(environment, pool, capture::language_of(environment.capabilities)) {}
 
@@ -68,6 +69,26 @@ bool TrianglePasses::compile(const DrawPlan& plan, std::uint64_t triangles, bool
   return !env_.compilation.refused();
 }
 
+// Without the pass, flat outputs have the value of another vertex.
+bool TrianglePasses::cut(const DrawPlan& plan, const capture::CoarseTriangles& captured) {
+  if (!plan.cut) {
+    return false;
+  }
+  if (!cuts_.built()) {
+    ErrorScope errors(env_.errors);
+    if (!cuts_.build()) {
+      return false;
+    }
+  }
+  cuts_.run(*plan.capture.layout, captured, *plan.cut, capture_.stage().count_buffer());
+  return true;
+}
+
+bool TrianglePasses::weld(const DrawPlan& plan, const capture::CoarseTriangles& captured) {
+  const bool changed = cut(plan, captured);
+  return weld_.weld_captured(plan.weld, *plan.capture.layout, captured, capture_.count_command()) || changed;
+}
+
 bool TrianglePasses::ensure_split_room(const DrawPlan& plan, const polygons::SplitRequest& request) {
   const bool exact = !request.triangles.count_on_gpu;
   if (centroids_.has_room(request) && has_room(plan, request.records(), exact)) {
@@ -92,12 +113,10 @@ Records TrianglePasses::split(const DrawPlan& plan, const capture::CoarseTriangl
     return {captured, &capture_.count_command()};
   }
   const polygons::SplitRequest request{
-      &layout,        captured,          *plan.polygons, pool_.pool().max_level(), plan.depth.depth_steps(),
-      plan.cut_about, plan.polygon_sides};
+      &layout, captured, *plan.polygons, pool_.pool().max_level(), plan.depth.depth_steps(), plan.polygon_sides};
   Records records{captured, &capture_.count_command()};
   if (ensure_split_room(plan, request)) {
-    records = {centroids_.split(request, capture_.stage().count_buffer()), &centroids_.count_command(),
-               plan.cut_about < 0};
+    records = {centroids_.split(request, capture_.stage().count_buffer()), &centroids_.count_command(), true};
   }
   weld_.weld_split(plan.weld, layout, records.triangles, *records.count_command);
   return records;
@@ -106,6 +125,7 @@ Records TrianglePasses::split(const DrawPlan& plan, const capture::CoarseTriangl
 void TrianglePasses::release() {
   weld_.release();
   centroids_.release();
+  cuts_.release();
   sorter_.release();
 }
 

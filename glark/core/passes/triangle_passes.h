@@ -12,14 +12,14 @@
 #include "glark/core/depth/instance_sorter.h"
 #include "glark/core/plan/draw_plan.h"
 #include "glark/core/polygons/centroid_split.h"
+#include "glark/core/polygons/quad_cut.h"
 #include "glark/core/report/cause.h"
 #include "glark/core/state/environment.h"
 #include "glark/core/weld/draw_weld.h"
 
 namespace glark::core {
 
-// The triangles that will be drawn: the captured ones, those about the centroids of their polygons, or quads
-// that are cut again.
+// The triangles that will be drawn: the captured ones, or those about the centroids of their polygons.
 struct Records {
   capture::CoarseTriangles triangles;
   const GpuBuffer* count_command = nullptr;
@@ -39,10 +39,9 @@ class TrianglePasses {
   // Compiles what a later frame will need. Returns whether everything is compiled, or will
   // be compiled at once.
   bool compile(const DrawPlan& plan, std::uint64_t triangles, bool exact);
-  // Welds the captured triangles. Returns whether storage buffer bindings have changed.
-  bool weld(const DrawPlan& plan, const capture::CoarseTriangles& captured) {
-    return weld_.weld_captured(plan.weld, *plan.capture.layout, captured, capture_.count_command());
-  }
+  // Cuts captured quads if the plan asks for it, and welds the captured triangles. Returns whether storage buffer bindings
+  // have changed.
+  bool weld(const DrawPlan& plan, const capture::CoarseTriangles& captured);
   // Splits polygons if the plan asks for it, and welds the edges of the result.
   Records split(const DrawPlan& plan, const capture::CoarseTriangles& captured);
   void release();
@@ -50,12 +49,14 @@ class TrianglePasses {
  private:
   bool has_room(const DrawPlan& plan, std::uint32_t triangles, bool exact) const;
   bool reserve(const DrawPlan& plan, std::uint32_t triangles, bool exact);
+  bool cut(const DrawPlan& plan, const capture::CoarseTriangles& captured);
   bool ensure_split_room(const DrawPlan& plan, const polygons::SplitRequest& request);
 
   const Environment& env_;
   const pattern::PoolInUse& pool_;
   capture::DrawCapture& capture_;
   polygons::CentroidSplit centroids_;
+  polygons::QuadCut cuts_;
   weld::DrawWeld weld_;
   depth::InstanceSorter sorter_;
   bool split_failed_ = false;

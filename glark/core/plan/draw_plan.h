@@ -32,9 +32,9 @@ struct DrawPlan {
   std::shared_ptr<DerivedProgram> corners;        // gives positions on the screen, where they are measured
   bool placed = false;                            // the derived program takes a placement of the piece
   capture::CapturePlan capture;
-  std::optional<polygons::Decomposition> polygons;  // set if they are split at their centroids, or cut again
-  int cut_about = -1;                               // polygons::SplitRequest; -1: at their centroids
-  std::optional<int> provoking_corner;              // set if it is not that of the convention
+  std::optional<polygons::Decomposition> polygons;  // set if they are split at their centroids
+  std::optional<polygons::Cut> cut;                 // set if quads are cut again
+  std::optional<int> provoking_corner;              // of polygons with flat outputs
   PolygonSides polygon_sides = {};                  // sizes of several GL_POLYGONs
   weld::WeldPlan weld;
   depth::DepthPlan depth;

@@ -235,7 +235,7 @@ void Planner::choose_depths(const DrawCall& call, DrawPlan& plan) const {
 // Returns whether the refined draw would equal the original one.
 bool Planner::changes_nothing(const DrawPlan& plan, Purpose purpose) const {
   const bool may_split = purpose == Purpose::feedback && splits_polygons(env_.options, env_.ark);
-  const bool reshapes = displaces(env_.options, env_.ark) || (plan.polygons && plan.cut_about < 0) || may_split;
+  const bool reshapes = displaces(env_.options, env_.ark) || plan.polygons || may_split;
   return !plan.depth.adaptive && plan.depth.level == 0 && plan.program->refinement_source.empty() &&
          !parts_.feedback.ours() && !reshapes;
 }

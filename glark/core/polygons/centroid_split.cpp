@@ -12,10 +12,10 @@ constexpr char split_source[] =
 #include "glark/core/polygons/centroid_split.glsl.inc"
     ;
 
-constexpr const char* uniform_names[] = {
-    "record_offset", "corner_words", "tag_offset", "first_integer", "pool_level", "equal_sides", "polygon_bound",
-    "count_on_gpu",  "centroids",    "is_fan",     "depth_steps",   "cut_about",  "corners"};
-constexpr std::size_t corners = 12;
+constexpr const char* uniform_names[] = {"record_offset", "corner_words", "tag_offset",    "first_integer",
+                                         "pool_level",    "equal_sides",  "polygon_bound", "count_on_gpu",
+                                         "centroids",     "is_fan",       "depth_steps",   "corners"};
+constexpr std::size_t corners = 11;
 constexpr std::uint32_t group_size = 64;
 constexpr std::uint32_t most_groups = 65535;  // the least GL_MAX_COMPUTE_WORK_GROUP_COUNT
 
@@ -85,8 +85,7 @@ void CentroidSplit::set_uniforms(const core::ComputePass& pass, const SplitReque
                           request.triangles.count_on_gpu ? 1 : 0,
                           static_cast<GLint>(record_words(request)),
                           request.decomposition.fan ? 1 : 0,
-                          request.depth_steps,
-                          request.cut_about};
+                          request.depth_steps};
   pass.set_integers(gl_, values);
   gl_.Uniform1iv(pass.location(corners), static_cast<GLsizei>(request.decomposition.corners.size()),
                  request.decomposition.corners.data());
@@ -112,12 +111,10 @@ capture::CoarseTriangles CentroidSplit::split(const SplitRequest& request, GLuin
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, count_command_.name());
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, table_.name());
   write_table(request);
-  if (request.cut_about < 0) {
-    passes_[0].use(gl_);
-    set_uniforms(passes_[0], request);
-    gl_.DispatchCompute(groups_for(request.polygons()), static_cast<GLuint>(request.layout->corner_words), 1);
-    gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-  }
+  passes_[0].use(gl_);
+  set_uniforms(passes_[0], request);
+  gl_.DispatchCompute(groups_for(request.polygons()), static_cast<GLuint>(request.layout->corner_words), 1);
+  gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
   passes_[1].use(gl_);
   set_uniforms(passes_[1], request);
   gl_.DispatchCompute(groups_for(request.records()), 1, 1);

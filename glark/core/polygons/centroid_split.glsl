@@ -25,7 +25,6 @@ uniform int polygon_bound;
 uniform int count_on_gpu;
 uniform int centroids;      // first word of the centroids
 uniform int is_fan;
-uniform int cut_about;      // >= 0: no centroids; both triangles of a quad end with this vertex of its boundary
 uniform int corners[4];     // polygons::Decomposition
 
 // Returns the number of polygons that end by the entry `limit` in one of the table's columns.
@@ -55,10 +54,7 @@ int polygon_count() {
   return equal_sides > 0 ? min(polygon_bound, triangles / (equal_sides - 2)) : polygons_until(0, triangles);
 }
 
-int first_record(int polygon) {
-  if (cut_about >= 0) return 2 * polygon;
-  return equal_sides > 0 ? polygon * equal_sides : int(table[2 * polygon + 1]);
-}
+int first_record(int polygon) { return equal_sides > 0 ? polygon * equal_sides : int(table[2 * polygon + 1]); }
 
 // First word of a vertex, in the order of the boundary.
 int vertex_at(int polygon, int vertex) {
@@ -124,21 +120,6 @@ void main() {
 
 #else
 
-void copy_corner(int from, int to) {
-  for (int word = 0; word < corner_words; ++word) {
-    split[to + word] = captured[from + word];
-  }
-}
-
-void cut_quad(int record) {
-  int quad = record / 2;
-  int vertex = cut_about + 1 + record % 2;
-  int to = 3 * record * corner_words;
-  copy_corner(vertex_at(quad, vertex & 3), to);
-  copy_corner(vertex_at(quad, (vertex + 1) & 3), to + corner_words);
-  copy_corner(vertex_at(quad, cut_about), to + 2 * corner_words);
-}
-
 void main() {
   int records = first_record(polygon_count());
   if (gl_GlobalInvocationID.x == 0u && count_on_gpu != 0) {
@@ -146,10 +127,6 @@ void main() {
   }
   int stride = int(gl_NumWorkGroups.x) * 64;
   for (int record = int(gl_GlobalInvocationID.x); record < records; record += stride) {
-    if (cut_about >= 0) {
-      cut_quad(record);
-      continue;
-    }
     int polygon = equal_sides > 0 ? record / equal_sides : polygons_until(1, record);
     int edge = record - first_record(polygon);
     int first = vertex_at(polygon, edge);

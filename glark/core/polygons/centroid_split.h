@@ -4,7 +4,6 @@
 // GL_POLYGON_CENTROID_ARK: each polygon of n vertices becomes n coarse triangles (V_k, V_k+1, centroid). They replace
 // the triangles that GL made. If the layout holds tags, the new records hold the depths of edges 0, 1 and 2 in their
 // place.
-// Quads with flat outputs may be cut again instead: their two triangles then end with the provoking vertex.
 #pragma once
 
 #include <array>
@@ -27,7 +26,6 @@ struct SplitRequest {
   Decomposition decomposition;
   unsigned pool_level = 0;
   int depth_steps = 1;  // steps of a level
-  int cut_about = -1;   // >= 0: no centroids; both triangles of a quad end with this vertex of its boundary
   std::span<const std::uint32_t> sides =
       {};  // sides of each polygon, if there are several fans; counts need not be exact then
 
@@ -37,9 +35,6 @@ struct SplitRequest {
   // Sides of every polygon; 0: they differ.
   std::uint32_t equal_sides() const { return !sides.empty() ? 0 : decomposition.fan ? triangles.count + 2 : 4; }
   std::uint32_t records() const {
-    if (cut_about >= 0) {
-      return 2 * polygons();
-    }
     return sides.empty() ? polygons() * equal_sides() : std::accumulate(sides.begin(), sides.end(), 0U);
   }
 };
@@ -60,7 +55,7 @@ class CentroidSplit {
   void release();
 
  private:
-  static constexpr std::size_t uniform_count = 12;
+  static constexpr std::size_t uniform_count = 11;
   bool compile();
   bool prepare();
   void write_table(const SplitRequest& request);

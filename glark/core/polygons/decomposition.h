@@ -24,6 +24,12 @@ struct Decomposition {
   std::array<int, 4> common_corners{-1, -1, -1, -1};
 };
 
+// How quads are cut again: both triangles end with the vertex `about` of the boundary.
+struct Cut {
+  Decomposition captured;
+  int about = 3;
+};
+
 // The edge that divides a quad, by the numbers of its vertices along the boundary.
 enum class Diagonal { from_first, from_second };
 // Returns the diagonal of a quad that is decomposed so.

@@ -38,8 +38,7 @@ void PolygonCapture::find_provoking_corner(const DrawCall& call, DrawPlan& plan)
   const int vertex = polygons::provoking_vertex(call.mode, first);
   const int corner = captured->common_corners[static_cast<std::size_t>(vertex)];
   if (corner < 0 && !captured->fan) {
-    plan.polygons = captured;
-    plan.cut_about = vertex;
+    plan.cut = polygons::Cut{*captured, vertex};
   }
   plan.provoking_corner = corner < 0 ? 2 : corner;
 }
