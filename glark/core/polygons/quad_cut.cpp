@@ -9,14 +9,14 @@ constexpr char cut_source[] =
 #include "glark/core/polygons/quad_cut.glsl.inc"
     ;
 
-constexpr const char* uniform_names[] = {"record_offset", "corner_words", "quad_bound",
-                                         "count_on_gpu",  "about",        "corners"};
-constexpr std::size_t corners = 5;
+constexpr const char* cut_uniforms[] = {"record_offset", "corner_words", "quad_bound",
+                                        "count_on_gpu",  "about",        "corners"};
+constexpr std::size_t captured_corners = 5;
 
 }  // namespace
 
 bool QuadCut::build() {
-  return pass_.build(gl_, {.what = "the pass that cuts quads", .source = cut_source}, uniform_names);
+  return pass_.build(gl_, {.what = "the pass that cuts quads", .source = cut_source}, cut_uniforms);
 }
 
 void QuadCut::run(const capture::Layout& layout, const capture::CoarseTriangles& triangles, const Cut& cut,
@@ -28,7 +28,7 @@ void QuadCut::run(const capture::Layout& layout, const capture::CoarseTriangles&
   gl_.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 1, captured_count);
   pass_.use(gl_);
   pass_.set_integers(gl_, values);
-  gl_.Uniform1iv(pass_.location(corners), static_cast<GLsizei>(cut.captured.corners.size()),
+  gl_.Uniform1iv(pass_.location(captured_corners), static_cast<GLsizei>(cut.captured.corners.size()),
                  cut.captured.corners.data());
   core::ComputePass::dispatch(gl_, quads);
   gl_.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT);
