@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Faults that are not about the triangles of polygons.
+#include "tests/drivers/faults.h"
+
+#include <stdio.h>
+
+static void draw_two_triangles(GLenum mode) { glDrawArrays(mode, 0, 6); }
+
+// OpenGL 4.6, 10.3.6: only draws with indices restart.
+static void show_restart_without_indices(void) {
+  program_of(GL_VERTEX_SHADER,
+             "#version 330 compatibility\nout float number;\n"
+             "void main() { number = float(gl_VertexID); gl_Position = vec4(1.0); }\n",
+             "number");
+  glEnable(GL_PRIMITIVE_RESTART);
+  glPrimitiveRestartIndex(4);
+  print_fault("restart_arrays", capture(draw_two_triangles, GL_TRIANGLES).triangles, 2, "triangles of six vertices");
+  glDisable(GL_PRIMITIVE_RESTART);
+}
+
+static void draw_quad(GLenum mode) { glDrawArrays(mode, 0, 4); }
+
+// OpenGL 4.6 compatibility, 13.4: the last vertex of a quad provokes. Triangles that end with it can show its colour.
+static void show_captured_provoking_vertex(void) {
+  const Capture quad = capture(draw_quad, GL_QUADS);
+  print_fault("captured_provoking", (quad.corners[2] == 3) + (quad.corners[5] == 3), 2,
+              "triangles of a quad end with its last vertex");
+}
+
+// OpenGL 4.6, 4.2.3: the result of a query goes into a buffer. What is written beside it later must stay.
+static void show_data_after_query(void) {
+  const GLuint one = 1;
+  GLuint words[5] = {0, 0, 0, 0, 0};
+  GLuint buffer = 0;
+  GLuint query = 0;
+  glGenBuffers(1, &buffer);
+  glBindBuffer(GL_COPY_WRITE_BUFFER, buffer);
+  glBufferData(GL_COPY_WRITE_BUFFER, sizeof(words), words, GL_DYNAMIC_COPY);
+  glGenQueries(1, &query);
+  bind_result();
+  glEnable(GL_RASTERIZER_DISCARD);
+  glBeginQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, query);
+  glBeginTransformFeedback(GL_TRIANGLES);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glEndTransformFeedback();
+  glEndQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN);
+  glDisable(GL_RASTERIZER_DISCARD);
+  glBindBuffer(GL_QUERY_BUFFER, buffer);
+  glGetQueryObjectuiv(query, GL_QUERY_RESULT, (GLuint*)sizeof(GLuint));
+  glBindBuffer(GL_QUERY_BUFFER, 0);
+  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, buffer);
+  glBufferSubData(GL_DRAW_INDIRECT_BUFFER, 0, sizeof(one), &one);
+  glDrawArraysIndirect(GL_TRIANGLES, NULL);
+  glGetBufferSubData(GL_DRAW_INDIRECT_BUFFER, 0, sizeof(words), words);
+  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+  print_fault("data_after_query", words[0], 1, "is the word that was written beside the result of a query");
+}
+
+// OpenGL 4.6, 13.3.2: a feedback may end while it is paused.
+static void show_link_after_feedback(void) {
+  GLint program = 0;
+  GLuint other = 0;
+  glGetIntegerv(GL_CURRENT_PROGRAM, &program);
+  other = program_of(GL_VERTEX_SHADER, "#version 330 compatibility\nvoid main() { gl_Position = vec4(1.0); }\n", NULL);
+  glUseProgram((GLuint)program);
+  bind_result();
+  glBeginTransformFeedback(GL_TRIANGLES);
+  glPauseTransformFeedback();
+  glUseProgram(other);
+  glEndTransformFeedback();
+  while (glGetError() != GL_NO_ERROR) {
+  }
+  glLinkProgram(other);
+  print_fault("link_after_feedback", glGetError(), 0,
+              "is the error of glLinkProgram after a feedback that ended paused");
+  // The driver believes in a feedback that goes on; the next one ends it.
+  glUseProgram((GLuint)program);
+  glBeginTransformFeedback(GL_TRIANGLES);
+  glEndTransformFeedback();
+}
+
+// OpenGL 4.6 compatibility, chapter 22: arrays are client state, also those of a named vertex array.
+static void show_client_arrays(void) {
+  GLint enabled = 0;
+  glEnableVertexAttribArray(7);
+  glPushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);
+  glDisableVertexAttribArray(7);
+  glPopClientAttrib();
+  glGetVertexAttribiv(7, GL_VERTEX_ATTRIB_ARRAY_ENABLED, &enabled);
+  glDisableVertexAttribArray(7);
+  print_fault("client_arrays", (unsigned)enabled, 1, "says whether glPopClientAttrib restores an array");
+}
+
+static unsigned red_of_square(float depth_left, float depth_right) {
+  GLubyte pixel[4];
+  glClear(GL_COLOR_BUFFER_BIT);
+  glBegin(GL_QUADS);
+  glVertex3f(-1, -1, depth_left);
+  glVertex3f(1, -1, depth_right);
+  glVertex3f(1, 1, depth_right);
+  glVertex3f(-1, 1, depth_left);
+  glEnd();
+  glReadPixels(4, 4, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+  return pixel[0];
+}
+
+// OpenGL 4.6 compatibility, 12.1.3: a scale of 2 divides normals by 2, and gl_NormalScale is 2.
+static void show_normal_scale(void) {
+  program_of(GL_VERTEX_SHADER,
+             "#version 120\nvoid main() { gl_Position = gl_Vertex; gl_FrontColor = vec4(0.25 * gl_NormalScale); }\n",
+             NULL);
+  glEnable(GL_RESCALE_NORMAL);
+  glScalef(2, 2, 2);
+  print_fault("normal_scale", (red_of_square(0, 0) + 16) / 32, 4, "is twice the gl_NormalScale of a scale of 2");
+  glLoadIdentity();
+  glDisable(GL_RESCALE_NORMAL);
+}
+
+// OpenGL 4.6 compatibility, 17.4: both are allowed. Where depths change their sign, refinement shows it.
+static void show_fog_of_fragments(void) {
+  const float black[] = {0, 0, 0, 1};
+  glUseProgram(0);
+  glColor4f(1, 1, 1, 1);
+  glEnable(GL_FOG);
+  glFogi(GL_FOG_MODE, GL_LINEAR);
+  glFogf(GL_FOG_START, 0);
+  glFogf(GL_FOG_END, 1);
+  glFogfv(GL_FOG_COLOR, black);
+  print_fault("fog_of_fragments", red_of_square(-0.5F, 0.5F) > 160, 0,
+              "says whether each fragment takes the absolute depth");
+  glDisable(GL_FOG);
+}
+
+void show_other_faults(int version) {
+  show_restart_without_indices();
+  show_captured_provoking_vertex();
+  show_client_arrays();
+  if (version >= 43) {
+    show_link_after_feedback();
+  }
+  if (version >= 44) {
+    show_data_after_query();
+  }
+  show_normal_scale();
+  show_fog_of_fragments();
+}
