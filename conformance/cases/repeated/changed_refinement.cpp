@@ -126,7 +126,7 @@ void check_outputs(Test& t) {
 void check_restart(Test& t) {
   gl.UseProgram(colour_program(t));
   upload(bent_mesh());
-  refine_uniformly(3, GL_LINEAR_OUTPUTS_ARK);
+  refine_uniformly(3);
   gl.Enable(GL_PRIMITIVE_RESTART);
   for (const GLuint index : {1U, 20U, 50U}) {
     gl.PrimitiveRestartIndex(index);
