@@ -41,7 +41,7 @@ static void capture_and_clip(void) {
   glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
 }
 
-// Draws captured vertices beside an array of integers, which become floats. Drivers convert such arrays by themselves.
+// Draws captured vertices together with an array of integers that the shader reads as floats.
 static void draw_captured_integers(void) {
   const GLuint tags[12] = {0};
   GLuint points = 0;
@@ -78,7 +78,7 @@ static void draw_captured_integers(void) {
   glFinish();
 }
 
-// A program of ARB_vertex_program gets another text, and draws each.
+// Replaces the text of a vertex program (ARB_vertex_program) again and again, and draws with each text.
 static void draw_replaced_text(void) {
   static const char* const texts[] = {
       "!!ARBvp1.0\nMOV result.position, vertex.position;\nMOV result.color, vertex.color;\nEND\n",
@@ -97,7 +97,7 @@ static void draw_replaced_text(void) {
   }
 }
 
-// GL_FEEDBACK with a shader that chooses between two values.
+// Draws points in feedback mode (glRenderMode), with a shader that has a conditional expression.
 static void draw_feedback_of_shader(void) {
   static float values[1000];
   program_of(GL_VERTEX_SHADER,

@@ -21,7 +21,7 @@ GLuint program_of(GLenum stage, const char* source, const char* captured);
 void add_fragment_shader(GLuint program, const char* source);
 // Binds a new buffer for MOST_CORNERS captured numbers.
 void bind_result(void);
-// The triangles that the driver makes of a draw.
+// Returns the triangles of a draw, as transform feedback captures them.
 Capture capture(void (*draw)(GLenum), GLenum mode);
 void print_fault(const char* name, unsigned found, unsigned expected, const char* what);
 
@@ -32,5 +32,6 @@ int make_context(void);
 void find_crashes(void);
 void print_crashes(void);
 
-// Faults that are not about the triangles of polygons. `version`: 43 for OpenGL 4.3.
+// Prints the faults of restart, queries, transform feedback, client state and fixed function. `version`: that of OpenGL,
+// 43 for 4.3.
 void show_other_faults(int version);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Faults that are not about the triangles of polygons.
+// Faults of restart, queries, transform feedback, client state and fixed function.
 #include "tests/drivers/faults.h"
 
 #include <stdio.h>

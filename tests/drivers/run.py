@@ -72,7 +72,7 @@ DRIVERS = [
     Driver("angle", "ANGLE", {"LD_LIBRARY_PATH": str(ANGLE), "ANGLE_DEFAULT_PLATFORM": "swiftshader"}, platforms=("egl",),
            needs=str(ANGLE / "libEGL.so.1"), package="@sparticuz/chromium of npm", passes_through=True, clients=("gles2",),
            told="client_gles2"),
-    # That of the graphics card. Windows are on the user's display.
+    # The driver of the graphics card. GLX runs on the user's display, because Xvfb would draw with Mesa.
     Driver(table.SYSTEM, "", {"LIBGL_ALWAYS_SOFTWARE": "0"}, platforms=("egl", "glx") if "DISPLAY" in os.environ else ("egl",),
            clients=("egl_surfaceless", "egl_impostors", "gles2"), avoids="llvmpipe|softpipe|swrast|zink|virgl"),
 ]

@@ -25,8 +25,8 @@ class GpuPool {
   GLuint vertices() const { return vertices_.name(); }  // LatticeVertex
   GLuint indices() const { return indices_.name(); }    // uint16
   GLuint patches() const { return patches_.name(); }    // vec4: the tiles of uniform levels, see first_tile()
-  // A DrawElementsIndirectCommand for each uniform piece, which lacks only the number of instances. A draw whose number
-  // the GPU alone knows copies it there.
+  // A DrawElementsIndirectCommand for each uniform piece. Only the number of instances is missing: a draw writes it there
+  // if the GPU counted its triangles.
   const core::GpuBuffer& commands() const { return commands_; }
   static GLintptr command_of(unsigned uniform_level) { return static_cast<GLintptr>(uniform_level) * command_bytes; }
   const Piece& piece(int index) const { return pieces_[static_cast<std::size_t>(index)]; }

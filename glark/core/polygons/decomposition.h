@@ -24,7 +24,7 @@ struct Decomposition {
   std::array<int, 4> common_corners{-1, -1, -1, -1};
 };
 
-// How quads are cut again: both triangles end with the vertex `about` of the boundary.
+// Cuts captured quads anew. Both new triangles have vertex `about` of the boundary as their last corner.
 struct Cut {
   Decomposition captured;
   int about = 3;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <regex>
 
 #include "glark/core/refine/refinement_log.h"
 #include "tests/core/refine/support/derive_harness.h"
@@ -107,7 +108,7 @@ TEST(DeriveEs, RefinementSourceErrorsNameTheirLine) {
     e.record = make_record(inputs(std::string(stage.version) != "100"));
     e.varyings = {"gl_Position"};
     const std::string log = run(e).error;
-    EXPECT_NE(log_for_author(log, "glark_").find("refinement shader:3"), std::string::npos) << log;
+    EXPECT_TRUE(std::regex_search(log_for_author(log, "glark_"), std::regex("refinement shader:3\\b"))) << log;
     e.request.refinement_source = "void refine() {\n  position.z += 1.0;\n}";
     const Refined refined = run(e);
     ASSERT_EQ(refined.error, "");

@@ -37,7 +37,7 @@ void PolygonCapture::find_provoking_corner(const DrawCall& call, DrawPlan& plan)
   const bool first = b.provoking_vertex == GL_FIRST_VERTEX_CONVENTION && env_.capabilities.quads_follow_convention;
   const int vertex = polygons::provoking_vertex(call.mode, first);
   const int corner = captured->common_corners[static_cast<std::size_t>(vertex)];
-  if (corner < 0 && !captured->fan) {
+  if (corner < 0) {
     plan.cut = polygons::Cut{*captured, vertex};
   }
   plan.provoking_corner = corner < 0 ? 2 : corner;

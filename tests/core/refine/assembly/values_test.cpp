@@ -66,7 +66,7 @@ class AssemblyValues : public testing::Test {
     return color;
   }
 
-  // Into a new program: Mesa 25 crashes where a program gets its text anew (tests/drivers/faults.c).
+  // Makes a new program each time: Mesa 25 crashes if the text of a program is replaced (tests/drivers/crashes.c).
   static void load(GLenum target, const std::string& text) {
     GLuint program = 0;
     GL_CALL(glGenProgramsARB)(1, &program);
