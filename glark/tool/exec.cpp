@@ -32,6 +32,7 @@ const std::vector<OtherCommand> commands {
 #endif
 #if GLARK_HAS_SURFEL
       {"strip", scan, "Triangle strips that interpolate points: glark strip FILE -o OUT"},
+      {"bake", scan, "A coarse mesh with maps of a scan: glark bake LARGE -o MODEL.glb"},
       {"view", "glark-view",
        "Show points or triangles in a window, or write a picture: glark view FILE [--offscreen OUT.png]"},
 #endif

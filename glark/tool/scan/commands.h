@@ -8,6 +8,7 @@
 
 namespace glark::tool {
 
+void add_bake(CLI::App& app);
 void add_edit(CLI::App& app);
 void add_info(CLI::App& app);
 void add_reconstruct(CLI::App& app);

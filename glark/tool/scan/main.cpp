@@ -57,6 +57,9 @@ int main(int argc, char** argv) {
 #if GLARK_HAS_EDIT
   glark::tool::add_edit(app);
 #endif
+#if GLARK_HAS_MAPS
+  glark::tool::add_bake(app);
+#endif
   try {
     app.parse(argc, argv);
     if (std::fflush(stdout) != 0) return complain("the report cannot be written to standard output", exit_failure);

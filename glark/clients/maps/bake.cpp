@@ -1,0 +1,181 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The steps of bake(): charts, a census of the points, places in the maps, all points, diffusion, seams, and the model.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+
+#include "glark/clients/maps/atlas/atlas.h"
+#include "glark/clients/maps/charts/segmentation.h"
+#include "glark/clients/maps/fill/diffusion.h"
+#include "glark/clients/maps/output/assembly.h"
+#include "glark/clients/maps/output/seam_check.h"
+#include "glark/clients/maps/project/census.h"
+#include "glark/clients/maps/project/coverage.h"
+#include "glark/clients/maps/project/splatter.h"
+#include "glark/clients/maps/seam_list.h"
+#include "glark/clients/maps/validation.h"
+
+namespace glark::maps {
+namespace {
+
+constexpr std::size_t points_a_step = 1 << 16;
+
+// The part of the work that is done after each step.
+constexpr double after_census = 0.1, after_points = 0.75, after_filling = 0.85, after_seams = 0.95;
+
+class Baker {
+ public:
+  Baker(const CoarseMesh& mesh, const stream::Source& source, const BakeOptions& options)
+      : source_(source),
+        options_(options),
+        workers_(options.threads),
+        origin_(mesh.origin),
+        surface_(surface_of(mesh)),
+        charts_(segment(surface_)) {}
+
+  Baked bake() {
+    report(0);
+    const Census census = look_at_points();
+    report(after_census);
+    set_reach(census);
+    place_charts(census);
+    add_points();
+    report(after_points);
+    fill();
+    report(after_filling);
+    equalise_seams(surface_, charts_, atlas_, channels_, maps_);
+    report(after_seams);
+    model_.origin = origin_;
+    model_.charts = charts_.size();
+    assemble({surface_, charts_, atlas_, maps_, channels_}, workers_, model_);
+    model_.seams = check_seams(surface_, charts_, model_);
+    report(1);
+    return std::move(model_);
+  }
+
+ private:
+  void report(double fraction) const {
+    if (options_.progress) options_.progress(fraction);
+  }
+
+  double widest_reach() const { return options_.reach > 0 ? options_.reach : 2 * surface_.mean_edge; }
+
+  Census look_at_points() {
+    SampleStream stream(source_, origin_, options_.skip_invalid);
+    has_normals_ = stream.has_normals();
+    channels_ = stream.has_colours() ? channels_with_colour : channels_without_colour;
+    Census census =
+        take_census(stream, Shell(surface_, widest_reach()), surface_.triangles.size(), workers_);
+    if (census.points_with_foot == 0)
+      throw Error(Element::array, 0,
+                  fmt::format("no point of {} is within {:.3g} of the coarse mesh and faces the same side; both must be "
+                              "in one place, and normals must point to the outside",
+                              source_.name, widest_reach()));
+    return census;
+  }
+
+  void set_reach(const Census& census) {
+    constexpr double deviations = 4;
+    model_.reach = options_.reach > 0 ? options_.reach
+                                      : std::clamp(deviations * census.root_mean_square, surface_.mean_edge / 2,
+                                                   widest_reach());
+  }
+
+  void place_charts(const Census& census) {
+    std::vector<double> wanted;
+    for (const Chart& chart : charts_) {
+      double points = 0;
+      for (const std::uint32_t t : chart.triangles) points += census.points[t];
+      wanted.push_back(points * options_.texels_per_point);
+    }
+    // A normal and a colour have three bytes, a height two. The mipmap levels are a third of the first one.
+    const std::uint64_t bytes = channels_ == channels_with_colour ? 8 : 5;
+    atlas_ = pack(charts_, surface_, wanted,
+                  {.most_texels = options_.texture_memory / bytes * 3 / 4, .most_side = options_.most_side});
+    maps_.resize(charts_.size());
+    for (std::size_t c = 0; c < charts_.size(); ++c) maps_[c].resize(atlas_.places[c], channels_);
+  }
+
+  void add_points() {
+    SampleStream stream(source_, origin_, options_.skip_invalid);
+    const Shell shell(surface_, model_.reach);
+    Splatter splatter(charts_, atlas_, surface_, shell, channels_);
+    std::vector<Sample> samples;
+    const auto count = static_cast<double>(stream.count().value_or(0));
+    while (stream.next(points_a_step, samples)) {
+      model_.left_out += splatter.add(samples, workers_, maps_);
+      const double done = count > 0 ? std::min(1.0, static_cast<double>(stream.read_points()) / count) : 0;
+      report(after_census + (after_points - after_census) * done);
+    }
+    model_.points = stream.read_points();
+    model_.invalid = stream.invalid();
+  }
+
+  void fill() {
+    std::atomic<std::uint64_t> filled = 0, texels = 0, empty = 0;
+    workers_.each(charts_.size(), 1, [&](std::size_t begin, std::size_t end) {
+      Diffuser diffuser;
+      for (std::size_t c = begin; c < end; ++c) {
+        ChartMap& map = maps_[c];
+        map.divide(channels_);
+        const Raster raster{map.width, map.height, channels_, map.values, map.weights};
+        const std::size_t texels_filled = diffuser.fill(raster).filled;
+        filled += texels_filled;
+        texels += map.weights.size();
+        const bool is_empty = std::none_of(map.weights.begin(), map.weights.end(), [](float w) { return w > 0; });
+        empty += is_empty ? 1 : 0;
+        set_normals(c, is_empty);
+      }
+    });
+    model_.filled = filled;
+    model_.texels = texels;
+    model_.empty_charts = empty;
+  }
+
+  // Normals of unit length. Scans without normals get those of the displaced surface.
+  void set_normals(std::size_t c, bool is_empty) {
+    ChartMap& map = maps_[c];
+    if (!has_normals_ || is_empty) {
+      const Coverage coverage = cover(charts_[c], atlas_.places[c], surface_);
+      if (is_empty)
+        set_coarse_normals(charts_[c], surface_, coverage, channels_, map.values);
+      else
+        set_normals_from_heights(charts_[c], atlas_.places[c], surface_, coverage, channels_, map.values);
+    }
+    normalise(map, charts_[c].vertex_normal);
+  }
+
+  void normalise(ChartMap& map, Vector instead) const {
+    for (std::size_t at = 0; at < map.weights.size(); ++at) {
+      float* n = map.values.data() + at * channels_;
+      Vector normal = common::unit(Vector{n[0], n[1], n[2]});
+      if (common::is_zero(normal)) normal = instead;
+      for (std::size_t k = 0; k < 3; ++k) n[k] = normal[k];
+    }
+  }
+
+  const stream::Source& source_;
+  const BakeOptions& options_;
+  common::Workers workers_;
+  std::array<double, 3> origin_;
+  Surface surface_;
+  std::vector<Chart> charts_;
+  Atlas atlas_;
+  std::vector<ChartMap> maps_;
+  unsigned channels_ = 0;
+  bool has_normals_ = false;
+  Baked model_;
+};
+
+}  // namespace
+
+Baked bake(const CoarseMesh& mesh, const stream::Source& points, const BakeOptions& options) {
+  check(options);
+  return Baker(mesh, points, options).bake();
+}
+
+}  // namespace glark::maps

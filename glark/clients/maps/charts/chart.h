@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// A chart: triangles of the coarse mesh that are a height field over a plane. Its texture coordinates are those of the
+// projection onto the plane.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "glark/clients/maps/charts/surface.h"
+
+namespace glark::maps {
+
+using Point2 = std::array<float, 2>;
+
+struct Chart {
+  Vector origin, u, v, normal;           // the frame; u, v and normal are orthonormal and right-handed
+  Vector vertex_normal;                  // the mean of the normals at the vertices, of unit length
+  std::vector<std::uint32_t> triangles;  // in ascending order
+  std::vector<std::uint32_t> guests;     // triangles of other charts around it, which its maps cover as well
+  Point2 low{}, size{};                  // the rectangle of the triangles in the plane
+
+  Point2 project(Vector p) const {
+    const Vector d = p - origin;
+    return {common::dot(d, u), common::dot(d, v)};
+  }
+};
+
+// Sets the frame, the guests and the rectangle of a chart from its triangles.
+void lay_out(Chart& chart, const Surface& surface);
+
+}  // namespace glark::maps

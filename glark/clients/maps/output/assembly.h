@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Assembles the model: the mesh with the texture coordinates of its charts, and the maps of all charts.
+#pragma once
+
+#include <glark/maps.h>
+
+#include <vector>
+
+#include "glark/clients/common/workers.h"
+#include "glark/clients/maps/project/chart_map.h"
+
+namespace glark::maps {
+
+// The finished maps of the charts, with their places.
+struct Charts {
+  const Surface& surface;
+  const std::vector<Chart>& charts;
+  const Atlas& atlas;
+  const std::vector<ChartMap>& maps;  // normals have unit length
+  unsigned channels = 0;
+};
+
+// Sets the mesh and the maps of `model`.
+void assemble(const Charts& charts, const common::Workers& workers, Baked& model);
+
+// The direction in which the first texture coordinate grows, at a vertex of a chart.
+Vector tangent_at(const Chart& chart, Vector normal);
+
+}  // namespace glark::maps

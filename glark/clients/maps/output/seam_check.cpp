@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/clients/maps/output/seam_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "glark/clients/maps/charts/segmentation.h"
+
+namespace glark::maps {
+namespace {
+
+constexpr int places_a_texel = 2;
+
+// What a fragment on a shared edge sees.
+struct Seen {
+  Vector normal;  // in the space of the positions
+  Vector colour;
+  float height = 0;
+};
+
+class Reader {
+ public:
+  explicit Reader(const Baked& model) : model_(model) {}
+
+  Point2 texel_of(std::uint32_t vertex) const {
+    return {model_.texcoords[2 * std::size_t{vertex}] * static_cast<float>(model_.width),
+            model_.texcoords[2 * std::size_t{vertex} + 1] * static_cast<float>(model_.height)};
+  }
+
+  // Between two vertices, at the part s of the way.
+  Seen see(std::uint32_t from, std::uint32_t to, float s) const {
+    const Point2 a = texel_of(from);
+    const Point2 b = texel_of(to);
+    const Point2 at{a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])};
+    const Vector normal = common::unit(mix(model_.normals, 3, from, to, s));
+    const Vector tangent = common::unit(mix(model_.tangents, 4, from, to, s));
+    const Vector bitangent = common::unit(common::cross(normal, tangent));
+    Vector local = colour_at(model_.normal_map, at) * 2.0F - Vector{1, 1, 1};
+    Seen seen;
+    seen.normal = common::unit(tangent * local.x + bitangent * local.y + normal * local.z);
+    if (!model_.colour_map.empty()) seen.colour = colour_at(model_.colour_map, at);
+    seen.height = filtered(at, [&](std::size_t i) { return static_cast<float>(model_.displacement_map[i]) / 65535; }) *
+                  model_.scale;
+    return seen;
+  }
+
+ private:
+  Vector mix(const std::vector<float>& values, std::size_t width, std::uint32_t from, std::uint32_t to, float s) const {
+    Vector result;
+    for (std::size_t k = 0; k < 3; ++k)
+      result[k] = (1 - s) * values[width * from + k] + s * values[width * to + k];
+    return result;
+  }
+
+  template <class Texel>
+  float filtered(Point2 at, const Texel& texel) const {
+    const float x = std::clamp(at[0] - 0.5F, 0.0F, static_cast<float>(model_.width) - 1.001F);
+    const float y = std::clamp(at[1] - 0.5F, 0.0F, static_cast<float>(model_.height) - 1.001F);
+    const auto i = static_cast<std::size_t>(x);
+    const auto j = static_cast<std::size_t>(y);
+    const float fx = x - static_cast<float>(i);
+    const float fy = y - static_cast<float>(j);
+    const std::size_t first = j * model_.width + i;
+    return (1 - fy) * ((1 - fx) * texel(first) + fx * texel(first + 1)) +
+           fy * ((1 - fx) * texel(first + model_.width) + fx * texel(first + model_.width + 1));
+  }
+
+  Vector colour_at(const std::vector<std::uint8_t>& map, Point2 at) const {
+    Vector colour;
+    for (std::size_t k = 0; k < 3; ++k)
+      colour[k] = filtered(at, [&](std::size_t i) { return static_cast<float>(map[3 * i + k]) / 255; });
+    return colour;
+  }
+
+  const Baked& model_;
+};
+
+// Collects differences.
+class Differences {
+ public:
+  void add(float difference) {
+    greatest_ = std::max(greatest_, difference);
+    squares_ += static_cast<double>(difference) * static_cast<double>(difference);
+    ++count_;
+  }
+  Jump jump() const {
+    return {greatest_, count_ > 0 ? static_cast<float>(std::sqrt(squares_ / static_cast<double>(count_))) : 0.0F};
+  }
+
+ private:
+  float greatest_ = 0;
+  double squares_ = 0;
+  std::size_t count_ = 0;
+};
+
+struct AllDifferences {
+  Differences colour, normal, displacement;
+
+  void add(const Seen& a, const Seen& b) {
+    const float cosine = common::dot(a.normal, b.normal);
+    const float sine = common::length(common::cross(a.normal, b.normal));
+    normal.add(std::atan2(sine, cosine) * 180 / std::numbers::pi_v<float>);
+    const Vector change = a.colour - b.colour;
+    colour.add(std::max({std::abs(change.x), std::abs(change.y), std::abs(change.z)}));
+    displacement.add(std::abs(a.height - b.height));
+  }
+};
+
+}  // namespace
+
+SeamJumps check_seams(const Surface& surface, const std::vector<Chart>& charts, const Baked& model) {
+  const std::vector<std::uint32_t> chart_of = chart_of_triangles(charts, surface);
+  const Reader reader(model);
+  AllDifferences all;
+  std::size_t edges = 0;
+  const auto corner = [&](std::uint32_t t, std::uint32_t vertex) {
+    const auto& corners = surface.triangles[t];
+    const auto k = static_cast<std::size_t>(std::find(corners.begin(), corners.end(), vertex) - corners.begin());
+    return model.triangles[3 * std::size_t{t} + k];
+  };
+  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t other = surface.neighbours[t][k];
+      if (other == none || other < t || chart_of[other] == chart_of[t]) continue;
+      const std::uint32_t from = surface.triangles[t][k];
+      const std::uint32_t to = surface.triangles[t][(k + 1) % 3];
+      const Point2 a = reader.texel_of(corner(t, from));
+      const Point2 b = reader.texel_of(corner(t, to));
+      const int places = places_a_texel * static_cast<int>(std::ceil(std::hypot(b[0] - a[0], b[1] - a[1]))) + 1;
+      for (int i = 0; i <= places; ++i) {
+        const float s = static_cast<float>(i) / static_cast<float>(places);
+        all.add(reader.see(corner(t, from), corner(t, to), s), reader.see(corner(other, from), corner(other, to), s));
+      }
+      ++edges;
+    }
+  }
+  return {all.colour.jump(), all.normal.jump(), all.displacement.jump(), edges};
+}
+
+}  // namespace glark::maps

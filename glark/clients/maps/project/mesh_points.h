@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <glark/maps.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace glark::maps {
+
+// A reader whose points are samples of a mesh. A triangle whose longest edge has n times the spacing gives n * n of them.
+class MeshPoints final : public stream::PointReader {
+ public:
+  MeshPoints(const FineMesh& mesh, double spacing, std::string name);
+
+  const std::string& name() const override { return name_; }
+  const stream::Schema& schema() const override { return schema_; }
+  std::optional<std::uint64_t> count() const override { return first_.back(); }
+  stream::Points read(std::size_t most) override;
+  bool can_seek() const override { return true; }
+  void seek(std::uint64_t point) override;
+
+ private:
+  void add_vertex_normals();
+  void add_point(std::uint64_t index);
+  void add_mean(const std::array<std::uint32_t, 3>& corners, const std::array<double, 3>& weights);
+
+  FineMesh mesh_;
+  std::string name_;
+  stream::Schema schema_;
+  std::uint64_t vertices_ = 0, next_ = 0;
+  std::vector<std::uint16_t> parts_;   // of the longest edge of each triangle
+  std::vector<std::uint64_t> first_;   // the first point of each triangle, and the end
+  std::vector<float> normals_;         // of the vertices
+  std::vector<double> positions_, channels_;
+  std::vector<float> out_normals_;
+};
+
+}  // namespace glark::maps

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <vector>
+
+#include "glark/clients/maps/project/chart_map.h"
+
+namespace glark::maps {
+
+// Makes the maps of two charts agree along the edges that they share. Normals have unit length afterwards.
+void equalise_seams(const Surface& surface, const std::vector<Chart>& charts, const Atlas& atlas, unsigned channels,
+                    std::vector<ChartMap>& maps);
+
+}  // namespace glark::maps

@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// glark bake LARGE -o MODEL.glb: a coarse mesh with a normal map, a colour map and a displacement map.
+#include <fmt/format.h>
+
+#include <glark/maps.h>
+
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "glark/clients/geometry/measure/area.h"
+#include "glark/tool/scan/bake/coarse_mesh.h"
+#include "glark/tool/scan/commands.h"
+#include "glark/tool/scan/files.h"
+#include "glark/tool/scan/parts/memory_option.h"
+#include "glark/tool/scan/peak_memory.h"
+#include "glark/tool/scan/rgb.h"
+#include "glark/tool/scan/validators.h"
+
+namespace glark::tool {
+namespace {
+
+constexpr double samples_a_vertex = 2;  // of a fine mesh, at least: triangles are divided into whole parts
+
+struct Bake {
+  Files files;
+  std::string mesh;
+  CoarseOptions coarse;
+  maps::BakeOptions options;
+  Memory memory;
+};
+
+// The fine surface. Its points are in a file, or in the memory.
+struct Fine {
+  geometry::Geometry geometry;
+  std::vector<std::uint8_t> colours;
+  stream::Source source;
+};
+
+void require_glb(const std::string& output) {
+  if (std::filesystem::path(output).extension() == ".glb") return;
+  throw std::runtime_error(output + ": the model is written as binary glTF; give a name that ends with .glb");
+}
+
+double spacing_of(const geometry::Geometry& mesh) {
+  const double samples = samples_a_vertex * static_cast<double>(mesh.point_count());
+  return std::sqrt(2 * geometry::area_of(mesh) / samples);  // n * n samples have n / sqrt(2) in a square's side
+}
+
+std::unique_ptr<Fine> read_fine(const Bake& command) {
+  auto fine = std::make_unique<Fine>();
+  if (must_read_in_parts(command.files, memory_for(command.memory))) {
+    fine->source = stream::file_source(command.files.input, command.files.format);
+    return fine;
+  }
+  fine->geometry = load(command.files.input, command.files);
+  const geometry::Geometry& geometry = fine->geometry;
+  if (geometry.point_count() == 0) throw std::runtime_error(command.files.input + ": it has no points");
+  warn_of_alpha(geometry.colours, command.files.input);
+  fine->colours = rgb_of(geometry.colours);
+  const double spacing = geometry.triangles.empty() ? 1 : spacing_of(geometry);
+  fine->source = maps::mesh_source({.origin = geometry.origin,
+                                    .positions = geometry.positions,
+                                    .normals = geometry.normals,
+                                    .colours = fine->colours,
+                                    .triangles = geometry.triangles},
+                                   spacing > 0 ? spacing : 1);
+  fine->source.name = command.files.input;
+  return fine;
+}
+
+geometry::Geometry coarse_mesh(const Bake& command, const Fine& fine) {
+  if (!command.mesh.empty()) return read_coarse_mesh(command.mesh, command.files);
+  if (!fine.geometry.triangles.empty()) return simplify_to(fine.geometry, command.coarse);
+  return strip_sampling(fine.source, command.coarse, command.files.skip_invalid);
+}
+
+void warn_of_losses(const maps::Baked& model, const std::string& file) {
+  if (model.left_out > 0)
+    warn(fmt::format("{}: {} of {} points are left out, which are more than {:.3g} from the coarse mesh or face away from "
+                     "it; --reach takes in points farther away",
+                     file, model.left_out, model.points, model.reach));
+  if (model.invalid > 0)
+    warn(fmt::format("{}: {} points with NaN or infinite coordinates are left out", file, model.invalid));
+  if (model.empty_charts > 0)
+    warn(fmt::format("{}: {} of {} charts of the coarse mesh have no points; they stay flat", file, model.empty_charts,
+                     model.charts));
+}
+
+Report report_of(const maps::Baked& model) {
+  Report report;
+  report["points"] = model.points;
+  report["points_left_out"] = model.left_out;
+  report["triangles"] = model.triangles.size() / 3;
+  report["vertices"] = model.positions.size() / 3;
+  report["width"] = model.width;
+  report["height"] = model.height;
+  report["charts"] = model.charts;
+  report["charts_without_points"] = model.empty_charts;
+  report["texels"] = model.texels;
+  report["texels_filled"] = model.filled;
+  report["reach"] = model.reach;
+  report["lowest_displacement"] = model.bias;
+  report["highest_displacement"] = static_cast<double>(model.bias) + static_cast<double>(model.scale);
+  report["seams"] = model.seams.edges;
+  const auto add = [&report](const std::string& name, const maps::Jump& jump, double unit) {
+    report["largest_" + name] = unit * static_cast<double>(jump.greatest);
+    report["root_mean_square_" + name] = unit * static_cast<double>(jump.root_mean_square);
+  };
+  add("seam_colour_of_255", model.seams.colour, 255);
+  add("seam_normal_degrees", model.seams.normal, 1);
+  add("seam_displacement", model.seams.displacement, 1);
+  return report;
+}
+
+void run(const Bake& command) {
+  require_glb(command.files.output);
+  check_output(command.files);
+  const std::unique_ptr<Fine> fine = read_fine(command);
+  const geometry::Geometry mesh = coarse_mesh(command, *fine);
+  maps::BakeOptions options = command.options;
+  options.threads = command.coarse.threads;
+  options.skip_invalid = command.files.skip_invalid;
+  Progress progress("baking " + command.files.input);
+  options.progress = [&](double fraction) { progress.show(fraction); };
+  const maps::Baked model = maps::bake({.origin = mesh.origin,
+                                        .positions = mesh.positions,
+                                        .normals = mesh.normals,
+                                        .triangles = mesh.triangles},
+                                       fine->source, options);
+  warn_of_losses(model, command.files.input);
+  maps::write_model(command.files.output, model);
+  Report report = report_of(model);
+  report["seconds"] = progress.seconds();
+  report["peak_memory_bytes"] = peak_memory();
+  print(report, command.files.json);
+}
+
+void describe(CLI::App& command, Bake& bake) {
+  command.add_option("--mesh", bake.mesh, "The coarse mesh; default: a mesh with fewer triangles, or strips of samples")
+      ->type_name("COARSE");
+  command
+      .add_option("--triangles", bake.coarse.triangles,
+                  fmt::format("The most triangles of the coarse mesh without --mesh; default {}", bake.coarse.triangles))
+      ->transform(whole_above_zero());
+  command.add_option("--texture-memory", bake.options.texture_memory,
+                     "The most memory of the maps with mipmaps, as 64MB or 1GB; default 128MB")
+      ->transform(CLI::AsSizeValue(false))
+      ->type_name("BYTES");
+  command
+      .add_option("--texels-per-point", bake.options.texels_per_point,
+                  fmt::format("Texels for each point, up to 64; default {}", bake.options.texels_per_point))
+      ->check(above_zero());
+  command
+      .add_option("--reach", bake.options.reach,
+                  "Leave out points farther than this from the coarse mesh; default: four times the root mean square "
+                  "distance, at least half an edge")
+      ->check(above_zero());
+}
+
+}  // namespace
+
+void add_bake(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("bake", "Bake the appearance of a scan or a fine mesh onto a coarse mesh");
+  const auto bake = std::make_shared<Bake>();
+  describe_input(*command, bake->files, {"las", "raw"});
+  describe_output(*command, bake->files);
+  describe(*command, *bake);
+  describe_memory(*command, bake->memory);
+  describe_threads(*command, bake->coarse.threads);
+  command->callback([bake] {
+    bake->coarse.memory = memory_for(bake->memory).bytes;
+    run(*bake);
+  });
+}
+
+}  // namespace glark::tool

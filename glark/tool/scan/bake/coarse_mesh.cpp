@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/tool/scan/bake/coarse_mesh.h"
+
+#include <fmt/format.h>
+
+#include <glark/stream.h>
+#include <glark/surfel.h>
+
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <vector>
+
+#include "glark/tool/scan/console.h"
+#include "glark/tool/scan/simplified.h"
+
+namespace glark::tool {
+namespace {
+
+// Keeps the points that are written.
+class Collector final : public stream::PointWriter {
+ public:
+  Collector(stream::Schema schema, geometry::Geometry& points) : schema_(std::move(schema)), points_(points) {}
+  const stream::Schema& schema() const override { return schema_; }
+  void write(const stream::Points& points) override {
+    if (points.size() > 0 && points_.positions.empty())
+      for (std::size_t axis = 0; axis < 3; ++axis) points_.origin[axis] = points.positions[axis];
+    for (std::size_t i = 0; i < points.positions.size(); ++i)
+      points_.positions.push_back(static_cast<float>(points.positions[i] - points_.origin[i % 3]));
+    points_.normals.insert(points_.normals.end(), points.normals.begin(), points.normals.end());
+  }
+  void finish() override {}
+
+ private:
+  stream::Schema schema_;
+  geometry::Geometry& points_;
+};
+
+void add_triangles(const surfel::Strips& strips, geometry::Geometry& geometry) {
+  for (const surfel::Node& node : strips.nodes()) {
+    if (node.left != surfel::none) continue;
+    const auto strip = strips.indices().subspan(node.first, node.count);
+    for (std::size_t i = 2; i < strip.size(); ++i) {
+      const std::uint32_t a = strip[i - 2], b = strip[i - 1], c = strip[i];
+      if (a == b || b == c || c == a) continue;
+      const bool is_turned = i % 2 == 1;
+      geometry.triangles.insert(geometry.triangles.end(), {a, is_turned ? c : b, is_turned ? b : c});
+    }
+  }
+}
+
+}  // namespace
+
+geometry::Geometry read_coarse_mesh(const std::string& file, const Files& files) {
+  Files coarse = files;
+  coarse.format.clear();
+  geometry::Geometry mesh = load(file, coarse);
+  if (mesh.triangles.empty())
+    throw std::runtime_error(file + ": it has no triangles; --mesh takes a mesh, as `glark reconstruct`, `glark strip` "
+                                    "or `glark simplify` write it");
+  return mesh;
+}
+
+geometry::Geometry simplify_to(const geometry::Geometry& fine, const CoarseOptions& options) {
+  Progress progress("simplifying");
+  progress.show(-1);
+  if (fine.triangle_count() <= options.triangles) return fine;
+  vstree::SimplifyOptions simplify;
+  simplify.target = options.triangles;
+  simplify.threads = options.threads;
+  simplify.method = vstree::Method::automatic;
+  simplify.max_error = 1;
+  geometry::Geometry plain;
+  plain.origin = fine.origin;
+  plain.positions = fine.positions;
+  plain.normals = fine.normals;
+  plain.triangles = fine.triangles;
+  return simplified(plain, simplify).geometry;
+}
+
+geometry::Geometry strip_sampling(const stream::Source& source, const CoarseOptions& options, bool skip_invalid) {
+  Progress progress("sampling " + source.name);
+  stream::SampleOptions sampling;
+  sampling.target = std::max<std::size_t>(options.triangles / 2, 1);  // a closed surface has two triangles a vertex
+  sampling.memory = options.memory;
+  sampling.threads = options.threads;
+  sampling.skip_invalid = skip_invalid;
+  sampling.progress = [&](double fraction) { progress.show(fraction); };
+  geometry::Geometry points;
+  stream::sample(source, sampling, std::filesystem::temp_directory_path(),
+                 [&](const stream::Schema& schema) { return std::make_unique<Collector>(schema, points); });
+  const surfel::Strips strips({.positions = points.positions, .normals = points.normals},
+                              {.threads = options.threads});
+  add_triangles(strips, points);
+  if (points.triangles.empty())
+    throw std::runtime_error(fmt::format("{}: its {} samples show no surface; give a mesh by --mesh, or more --triangles",
+                                         source.name, points.point_count()));
+  return points;
+}
+
+}  // namespace glark::tool

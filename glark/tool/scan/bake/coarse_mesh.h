@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The coarse mesh of a model: a given one, a fine mesh with fewer triangles, or the surfel strips of a sampling.
+#pragma once
+
+#include <glark/point_stream.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "glark/clients/geometry/geometry.h"
+#include "glark/tool/scan/files.h"
+
+namespace glark::tool {
+
+struct CoarseOptions {
+  std::size_t triangles = 20000;  // the most
+  std::uint64_t memory = 0;       // bytes, of the sampling
+  unsigned threads = 0;
+};
+
+// Throws std::runtime_error if the file has no triangles.
+geometry::Geometry read_coarse_mesh(const std::string& file, const Files& files);
+geometry::Geometry simplify_to(const geometry::Geometry& fine, const CoarseOptions& options);
+// Throws std::runtime_error if the points have no surface.
+geometry::Geometry strip_sampling(const stream::Source& source, const CoarseOptions& options, bool skip_invalid);
+
+}  // namespace glark::tool

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Appearance maps: a normal map, a colour map and a displacement map of a coarse mesh, baked from a scan of any size or
+// from a fine mesh. Link to glark-maps.
+//
+//   const glark::maps::Baked model = glark::maps::bake({.positions = positions, .triangles = triangles},
+//                                                      glark::stream::file_source("scan.ply"));
+//   glark::maps::write_model("model.glb", model);  // and model.displacement.png beside it
+//
+// The surface of the maps is P + (scale h + bias) N / |N|. P and N are the position and the normal of the coarse mesh,
+// interpolated linearly, and h is the displacement map. GL_DISPLACEMENT_UNIT_ARK draws this surface. Lengths have the
+// unit of the positions.
+//
+// The result does not depend on the number of threads.
+// Source: Boubekeur 2007, ch. 6. docs/reference/maps.md lists the differences.
+#ifndef GLARK_MAPS_H
+#define GLARK_MAPS_H
+
+#include <glark/error.h>
+#include <glark/point_stream.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace glark::maps {
+
+enum class Element { option, array, triangle, point, file };
+
+// An error in an argument, the element that has it, and the remedy.
+class GLARK_EXPORT Error : public ElementError<Element> {
+ public:
+  Error(Element element, std::size_t index, const std::string& what);
+};
+
+// The mesh that gets the maps. The caller owns the arrays. Vertices at one position count as one vertex.
+struct CoarseMesh {
+  std::array<double, 3> origin{};                // added to all positions
+  std::span<const float> positions = {};         // [3 * vertices]
+  std::span<const float> normals = {};           // [3 * vertices], of any length; empty: those of the triangles
+  std::span<const std::uint32_t> triangles = {}; // [3 * triangles], counter-clockwise from outside
+};
+
+// A fine mesh. The caller owns the arrays, which must live as long as sources of it.
+struct FineMesh {
+  std::array<double, 3> origin{};                 // added to all positions
+  std::span<const float> positions = {};          // [3 * vertices]
+  std::span<const float> normals = {};            // [3 * vertices], or empty: those of the triangles
+  std::span<const std::uint8_t> colours = {};     // [3 * vertices], red green blue; or empty
+  std::span<const std::uint32_t> triangles = {};  // [3 * triangles]
+};
+
+// Samples the triangles of a mesh evenly: at each triangle's corners, and so densely that neighbours on a triangle are
+// at most `spacing` apart. Errors: Error for a spacing that is not above zero, for arrays that do not fit together.
+GLARK_EXPORT stream::Source mesh_source(const FineMesh& mesh, double spacing);
+
+struct BakeOptions {
+  std::size_t texture_memory = std::size_t{128} << 20;  // bytes, of all maps with their mipmap levels; 1 MiB or more
+  unsigned most_side = 16384;      // the greatest width and height of the maps, 64 to 32768
+  double texels_per_point = 2;     // the most texels of the surface for each point, above 0 to 64
+  // Points farther from the coarse mesh are left out, in the unit of the positions. 0: four times the root mean square
+  // distance of the points, at least a coarse edge.
+  double reach = 0;
+  bool skip_invalid = false;       // leaves out points whose coordinates are not finite, instead of Error
+  unsigned threads = 0;            // the most threads; 0: as many as the machine has
+  // Receives the finished fraction of the work, 0 to 1, in the calling thread. If it throws, the work ends with this
+  // exception.
+  std::function<void(double fraction)> progress = {};
+};
+
+struct Jump {
+  float greatest = 0, root_mean_square = 0;
+};
+
+// The differences of the two sides along the edges where two charts of the maps meet, as a shader sees them: bilinear
+// filtering of the first mipmap level, two places a texel.
+struct SeamJumps {
+  Jump colour;            // of the channel that differs most, 0 to 1
+  Jump normal;            // degrees
+  Jump displacement;      // in the unit of the positions
+  std::size_t edges = 0;  // the number of such edges
+};
+
+struct Baked {
+  std::array<double, 3> origin{};
+  std::vector<float> positions, normals;  // [3 * vertices]; normals have unit length
+  std::vector<float> tangents;            // [4 * vertices]: the direction of the first texture coordinate, and 1
+  std::vector<float> texcoords;           // [2 * vertices], 0 to 1; the first row of a map is at t = 0
+  std::vector<std::uint32_t> triangles;   // [3 * triangles], in the order of the coarse mesh
+  unsigned width = 0, height = 0;         // of all maps; powers of two
+  // [3 * width * height], in tangent space: x along the tangent, y along cross(normal, tangent), z along the normal.
+  std::vector<std::uint8_t> normal_map;
+  std::vector<std::uint8_t> colour_map;         // [3 * width * height], red green blue; empty without colours
+  std::vector<std::uint16_t> displacement_map;  // [width * height]
+  float scale = 0, bias = 0;                    // 65535 in the displacement map is the height scale + bias
+
+  std::uint64_t points = 0;    // that were read
+  std::uint64_t left_out = 0;  // points that are beyond the reach, or face away from all triangles nearby
+  std::uint64_t invalid = 0;   // points whose coordinates are not finite
+  std::size_t charts = 0, empty_charts = 0;  // charts, and those without any point
+  std::uint64_t texels = 0, filled = 0;      // texels of charts, and those that got their values by diffusion
+  double reach = 0;                          // the reach that was used
+  SeamJumps seams;
+};
+
+// Bakes the maps of a coarse mesh. The source is read twice: first one point of several, which tell how many texels each
+// chart needs, then all points. Colours are the channels red, green and blue.
+// Errors: Error for arrays that do not fit together, a triangle with a vertex that does not exist, a number that is not
+// finite, no triangles, no point near the mesh, options out of range, and a texture memory that is too small for the
+// number of charts. stream::Error for a source that cannot be read.
+GLARK_EXPORT Baked bake(const CoarseMesh& mesh, const stream::Source& points, const BakeOptions& options = {});
+
+// Writes a binary glTF file with the normal map and the colour map in it, and the displacement map beside it, as a PNG of
+// 16 bits: "model.displacement.png" for "model.glb". The material's "extras" name it, with scale and bias. Files appear
+// complete. Errors: Error for files that cannot be written, or a model of more than 4 GiB.
+GLARK_EXPORT void write_model(const std::filesystem::path& file, const Baked& model);
+
+}  // namespace glark::maps
+
+#endif  // GLARK_MAPS_H
