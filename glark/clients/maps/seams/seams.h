@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Makes the maps of neighbouring charts equal along the edges that they share.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace glark::maps {
+
+// An edge in one chart, from one end to the other. The ends are in texels: the centre of texel (i, j) is at
+// (i + 0.5, j + 0.5). Ends outside the chart have the values of its border.
+struct SeamSide {
+  std::uint32_t chart = 0;
+  std::array<float, 2> from{}, to{};
+};
+
+// The two sides of an edge, in the same direction. They may lie in the same chart.
+struct Seam {
+  SeamSide a, b;
+};
+
+// A chart's texels, row by row; the values of a texel lie together.
+struct ChartImage {
+  unsigned width = 0, height = 0;  // at least 1
+  std::span<float> values;         // [channels * width * height], finite
+};
+
+struct SeamOptions {
+  float samples_per_texel = 3;    // along a seam, of the side with more texels
+  float fidelity = 1e-3F;         // above 0: the weight of a texel's change, compared to the difference along a seam
+  float tolerance = 1e-4F;        // of the solver: the residual, relative to the one before the first iteration
+  unsigned max_iterations = 500;  // of the solver
+};
+
+// Differences of bilinear samples along all seams, for each channel.
+struct SeamDifferences {
+  std::vector<float> greatest, root_mean_square;  // [channels]
+};
+
+// Measures the differences of the two sides, eight samples a texel.
+SeamDifferences seam_jumps(std::span<const ChartImage> charts, unsigned channels, std::span<const Seam> seams);
+
+// Changes the texels next to seams, so that bilinear samples along a seam are the same on both sides. All other texels
+// stay. Returns the differences that are left.
+SeamDifferences equalise(std::span<const ChartImage> charts, unsigned channels, std::span<const Seam> seams,
+                   const SeamOptions& options = {});
+
+}  // namespace glark::maps
