@@ -37,13 +37,6 @@ void equalise_seams(const Surface& surface, const std::vector<Chart>& charts, co
   std::vector<ChartImage> images;
   for (ChartMap& map : maps) images.push_back({map.width, map.height, map.values});
   equalise(images, channels, seams_of(surface, charts, atlas), {});
-  for (ChartMap& map : maps) {
-    for (std::size_t at = 0; at < map.weights.size(); ++at) {
-      float* n = map.values.data() + at * channels + normal_channel;
-      const Vector normal = common::unit(Vector{n[0], n[1], n[2]});
-      for (std::size_t k = 0; k < 3; ++k) n[k] = normal[k];
-    }
-  }
 }
 
 }  // namespace glark::maps

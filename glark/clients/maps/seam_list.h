@@ -8,7 +8,8 @@
 
 namespace glark::maps {
 
-// Makes the maps of two charts agree along the edges that they share. Normals have unit length afterwards.
+// Makes the maps of two charts agree along the edges that they share. Normals next to these edges may have another
+// length than 1 afterwards.
 void equalise_seams(const Surface& surface, const std::vector<Chart>& charts, const Atlas& atlas, unsigned channels,
                     std::vector<ChartMap>& maps);
 

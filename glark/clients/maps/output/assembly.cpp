@@ -19,7 +19,8 @@ constexpr std::array<std::uint8_t, 3> flat_normal{128, 128, 255};  // of texels 
 std::uint8_t to_byte(float value) { return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 255)); }
 
 // Turns a normal into tangent space. The shader's frame is the same: normal and tangent are interpolated and scaled to
-// unit length, and the bitangent is their cross product.
+// unit length, and the bitangent is their cross product. The result keeps its length if it can be stored: lengths that
+// differ from 1 make both sides of a seam agree after filtering, and the shader scales the sum to unit length.
 Vector to_tangent_space(Vector n, Vector normal, Vector tangent) {
   const Vector bitangent = unit(common::cross(normal, tangent));
   const float skew = common::dot(normal, tangent);
@@ -29,8 +30,8 @@ Vector to_tangent_space(Vector n, Vector normal, Vector tangent) {
   const Vector local{(along_tangent - skew * along_normal) / determinant,
                      common::dot(n, bitangent),
                      (along_normal - skew * along_tangent) / determinant};
-  const Vector result = unit(local);
-  return common::is_zero(result) ? Vector{0, 0, 1} : result;
+  if (common::is_zero(local)) return {0, 0, 1};
+  return local * (1 / std::max({1.0F, std::abs(local.x), std::abs(local.y), std::abs(local.z)}));
 }
 
 class Assembly {
@@ -80,7 +81,7 @@ class Assembly {
     const Chart& chart = in_.charts[c];
     const Place& place = in_.atlas.places[c];
     const ChartMap& map = in_.maps[c];
-    const Coverage coverage = cover(chart, place, in_.surface);
+    const Coverage coverage = nearest_places(chart, place, in_.surface);
     for (std::size_t y = 0; y < place.height; ++y) {
       for (std::size_t x = 0; x < place.width; ++x) {
         const std::size_t at = y * place.width + x;

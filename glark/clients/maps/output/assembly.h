@@ -18,7 +18,7 @@ struct Charts {
   const Surface& surface;
   const std::vector<Chart>& charts;
   const Atlas& atlas;
-  const std::vector<ChartMap>& maps;  // normals have unit length
+  const std::vector<ChartMap>& maps;
   unsigned channels = 0;
 };
 

@@ -2,9 +2,83 @@
 // SPDX-License-Identifier: MIT
 #include "glark/clients/maps/project/coverage.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
 #include "glark/clients/maps/project/chart_map.h"
 
 namespace glark::maps {
+namespace {
+
+// The place of an edge that is nearest to a point, as a part of the way from a to b.
+float nearest_on_edge(Point2 a, Point2 b, Point2 p) {
+  const Point2 edge{b[0] - a[0], b[1] - a[1]};
+  const float squared = edge[0] * edge[0] + edge[1] * edge[1];
+  if (!(squared > 0)) return 0;
+  return std::clamp(((p[0] - a[0]) * edge[0] + (p[1] - a[1]) * edge[1]) / squared, 0.0F, 1.0F);
+}
+
+// Returns the weights of the place of a triangle's boundary that is nearest to a point, and the squared distance.
+std::pair<Weights, float> nearest_on_boundary(const Triangle2& triangle, Point2 p) {
+  Weights best{1, 0, 0};
+  float least = std::numeric_limits<float>::max();
+  for (std::size_t k = 0; k < 3; ++k) {
+    Weights w{};
+    const float part = nearest_on_edge(triangle.corners[k], triangle.corners[(k + 1) % 3], p);
+    w[k] = 1 - part;
+    w[(k + 1) % 3] = part;
+    const Point2 at = triangle.at(w);
+    const float squared = (at[0] - p[0]) * (at[0] - p[0]) + (at[1] - p[1]) * (at[1] - p[1]);
+    if (squared >= least) continue;
+    least = squared;
+    best = w;
+  }
+  return {best, least};
+}
+
+constexpr int margin = 2;  // texels
+
+// Calls visit(index, centre) for the texels in the box around a triangle, and in the margin around the box.
+template <class Visit>
+void for_each_texel_near(const Triangle2& triangle, const Place& place, const Visit& visit) {
+  const auto& c = triangle.corners;
+  const auto range = [&](std::size_t axis, unsigned size) {
+    const auto [low, high] = std::minmax({c[0][axis], c[1][axis], c[2][axis]});
+    return std::pair(std::max(static_cast<int>(std::floor(low)) - margin, 0),
+                     std::min(static_cast<int>(std::ceil(high)) + margin, static_cast<int>(size)));
+  };
+  const auto [first_x, end_x] = range(0, place.width);
+  const auto [first_y, end_y] = range(1, place.height);
+  for (int y = first_y; y < end_y; ++y)
+    for (int x = first_x; x < end_x; ++x)
+      visit(static_cast<std::size_t>(y) * place.width + static_cast<std::size_t>(x),
+            Point2{static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F});
+}
+
+}  // namespace
+
+Coverage nearest_places(const Chart& chart, const Place& place, const Surface& surface) {
+  Chart alone = chart;
+  alone.guests.clear();
+  Coverage coverage = cover(alone, place, surface);
+  std::vector<float> distances(coverage.triangles.size(), static_cast<float>(margin * margin));
+  for (std::size_t at = 0; at < distances.size(); ++at)
+    if (coverage.triangles[at] != none) distances[at] = -1;
+  for (const std::uint32_t t : chart.triangles) {
+    const Triangle2 triangle = triangle_in(chart, place, surface, t);
+    for_each_texel_near(triangle, place, [&](std::size_t at, Point2 centre) {
+      if (distances[at] < 0) return;
+      const auto [weights, squared] = nearest_on_boundary(triangle, centre);
+      if (squared >= distances[at]) return;
+      distances[at] = squared;
+      coverage.triangles[at] = t;
+      coverage.weights[at] = weights;
+    });
+  }
+  return coverage;
+}
 
 Coverage cover(const Chart& chart, const Place& place, const Surface& surface) {
   const std::size_t texels = std::size_t{place.width} * place.height;

@@ -18,6 +18,10 @@ struct Coverage {
 // A chart's own triangles come first where its guests overlap them.
 Coverage cover(const Chart& chart, const Place& place, const Surface& surface);
 
+// The nearest place of the chart's own triangles, for texels up to two texels beyond them. Where a seam is filtered, the
+// shader has the tangents and normals of these places.
+Coverage nearest_places(const Chart& chart, const Place& place, const Surface& surface);
+
 // Replaces the normals of a chart by those of the coarse mesh. values: as in ChartMap.
 void set_coarse_normals(const Chart& chart, const Surface& surface, const Coverage& coverage, unsigned channels,
                         std::vector<float>& values);
