@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Whole models: a coarse sphere with the maps of a sphere with bumps.
+#include <glark/maps.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <random>
+
+#include "tests/maps/bumpy_sphere.h"
+#include "tests/maps/seen_model.h"
+
+namespace glark::maps::test {
+namespace {
+
+constexpr double spacing = 0.01;
+
+Baked bake_bumps(const BakeOptions& options = {}, unsigned coarse_levels = 2) {
+  const Sphere fine = sphere_of(6, true);
+  const Sphere coarse = sphere_of(coarse_levels, false);
+  return bake(coarse.coarse(), mesh_source(fine.fine(), spacing), options);
+}
+
+struct Errors {
+  double distance = 0, degrees = 0, colour = 0;  // the greatest ones
+  double degrees_squared = 0;                    // the mean
+};
+
+// Random places of the model against the known surface.
+Errors errors_of(const Baked& model) {
+  constexpr int places = 20000;
+  const SeenModel seen_model(model);
+  std::mt19937 random(7);
+  std::exponential_distribution<double> part;
+  std::uniform_int_distribution<std::size_t> triangle(0, model.triangles.size() / 3 - 1);
+  Errors errors;
+  for (int i = 0; i < places; ++i) {
+    std::array<double, 3> weights{part(random), part(random), part(random)};
+    const double sum = weights[0] + weights[1] + weights[2];
+    for (double& w : weights) w /= sum;
+    const Seen seen = seen_model.at(triangle(random), weights);
+    const Precise direction = common::unit(seen.position);
+    errors.distance = std::max(errors.distance, common::length(seen.position - bumpy_point(direction)));
+    const double cosine = std::clamp(common::dot(seen.normal, bumpy_normal(direction)), -1.0, 1.0);
+    const double degrees = std::acos(cosine) * 180 / std::numbers::pi;
+    errors.degrees = std::max(errors.degrees, degrees);
+    errors.degrees_squared += degrees * degrees / places;
+    for (std::size_t k = 0; k < 3; ++k)
+      errors.colour = std::max(errors.colour, std::abs(seen.colour[k] - bumpy_colour(direction).at(k)));
+  }
+  return errors;
+}
+
+TEST(Bake, DisplacedSurfaceIsTheFineOne) {
+  const Baked model = bake_bumps();
+  const Errors errors = errors_of(model);
+  EXPECT_LT(errors.distance, 0.0015);  // bumps are 0.05 high
+  EXPECT_LT(errors.degrees, 4);
+  EXPECT_LT(std::sqrt(errors.degrees_squared), 0.6);
+  EXPECT_LT(errors.colour, 0.02);
+  EXPECT_EQ(model.left_out, 0U);
+  EXPECT_EQ(model.empty_charts, 0U);
+}
+
+TEST(Bake, CoarseMeshStaysAsItIs) {
+  const Sphere coarse = sphere_of(2, false);
+  const Baked model = bake_bumps();
+  ASSERT_EQ(model.triangles.size(), coarse.triangles.size());
+  for (std::size_t i = 0; i < coarse.triangles.size(); ++i) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      EXPECT_EQ(model.positions[3 * model.triangles[i] + axis], coarse.positions[3 * coarse.triangles[i] + axis]);
+      EXPECT_NEAR(model.normals[3 * model.triangles[i] + axis], coarse.normals[3 * coarse.triangles[i] + axis], 1e-6F);
+    }
+  }
+}
+
+TEST(Bake, TangentsAreOrthogonalToNormalsAndFollowTheTexture) {
+  const Baked model = bake_bumps();
+  const auto vector = [](const std::vector<float>& values, std::size_t width, std::size_t i) {
+    return common::Vector3f{values[width * i], values[width * i + 1], values[width * i + 2]};
+  };
+  for (std::size_t i = 0; i < model.positions.size() / 3; ++i) {
+    EXPECT_NEAR(common::dot(vector(model.tangents, 4, i), vector(model.normals, 3, i)), 0, 1e-5F);
+    EXPECT_EQ(model.tangents[4 * i + 3], 1);
+  }
+  for (std::size_t t = 0; t < model.triangles.size(); t += 3) {
+    const std::size_t a = model.triangles[t], b = model.triangles[t + 1], c = model.triangles[t + 2];
+    const auto edge = vector(model.positions, 3, b) - vector(model.positions, 3, a);
+    const auto other = vector(model.positions, 3, c) - vector(model.positions, 3, a);
+    const float s1 = model.texcoords[2 * b] - model.texcoords[2 * a], s2 = model.texcoords[2 * c] - model.texcoords[2 * a];
+    const float t1 = model.texcoords[2 * b + 1] - model.texcoords[2 * a + 1];
+    const float t2 = model.texcoords[2 * c + 1] - model.texcoords[2 * a + 1];
+    // The first row of a picture is the highest. So t grows downwards, and a triangle from outside is turned.
+    EXPECT_LT(s1 * t2 - s2 * t1, 0);
+    const auto along_s = common::unit((edge * t2 - other * t1) * (1 / (s1 * t2 - s2 * t1)));
+    EXPECT_GT(common::dot(along_s, vector(model.tangents, 4, a)), 0.8F);
+  }
+}
+
+TEST(Bake, SeamsAgree) {
+  const Baked model = bake_bumps();
+  EXPECT_GT(model.seams.edges, 0U);
+  EXPECT_LE(model.seams.colour.greatest, 2.0F / 255);
+  EXPECT_LE(model.seams.normal.greatest, 2);
+  EXPECT_LE(model.seams.displacement.greatest, model.scale / 2000);
+}
+
+TEST(Bake, ResultDoesNotDependOnThreads) {
+  const Baked one = bake_bumps({.threads = 1});
+  const Baked two = bake_bumps({.threads = 2});
+  EXPECT_EQ(one.normal_map, two.normal_map);
+  EXPECT_EQ(one.colour_map, two.colour_map);
+  EXPECT_EQ(one.displacement_map, two.displacement_map);
+  EXPECT_EQ(one.texcoords, two.texcoords);
+}
+
+TEST(Bake, MissingNormalsComeFromTheDisplacedSurface) {
+  const Sphere fine = sphere_of(7, true);
+  const Sphere coarse = sphere_of(2, false);
+  const Baked model = bake(coarse.coarse(), mesh_source({.positions = fine.positions}, 1));
+  const Errors errors = errors_of(model);
+  EXPECT_LT(errors.distance, 0.002);
+  EXPECT_LT(std::sqrt(errors.degrees_squared), 4);
+  EXPECT_TRUE(model.colour_map.empty());
+}
+
+TEST(Bake, ScanOfOneSideLeavesTheOtherFlat) {
+  const Sphere fine = sphere_of(6, true);
+  std::vector<float> positions, normals;
+  for (std::size_t i = 0; i < fine.positions.size(); i += 3) {
+    if (fine.positions[i + 2] < 0.8F) continue;
+    positions.insert(positions.end(), {fine.positions[i], fine.positions[i + 1], fine.positions[i + 2]});
+    normals.insert(normals.end(), {fine.normals[i], fine.normals[i + 1], fine.normals[i + 2]});
+  }
+  const Sphere coarse = sphere_of(2, false);
+  const Baked model = bake(coarse.coarse(), mesh_source({.positions = positions, .normals = normals}, 1));
+  EXPECT_GT(model.empty_charts, 0U);
+  EXPECT_LT(model.empty_charts, model.charts);
+  const SeenModel seen_model(model);
+  for (std::size_t t = 0; t < model.triangles.size() / 3; ++t) {
+    const Seen seen = seen_model.at(t, {0.4, 0.3, 0.3});
+    if (seen.position.z > -0.9) continue;
+    EXPECT_GT(common::dot(seen.normal, common::unit(seen.position)), 0.99);
+    EXPECT_NEAR(common::length(seen.position), 0.98, 0.03);  // between a flat triangle and the sphere
+  }
+}
+
+TEST(Bake, PointsBeyondTheReachAreLeftOut) {
+  Sphere fine = sphere_of(6, true);
+  const std::size_t points = fine.positions.size() / 3;
+  for (int i = 0; i < 50; ++i) {
+    fine.positions.insert(fine.positions.end(), {0, 0, 3});
+    fine.normals.insert(fine.normals.end(), {0, 0, 1});
+  }
+  const Sphere coarse = sphere_of(2, false);
+  const Baked model = bake(coarse.coarse(), mesh_source({.positions = fine.positions, .normals = fine.normals}, 1));
+  EXPECT_EQ(model.points, points + 50);
+  EXPECT_EQ(model.left_out, 50U);
+}
+
+// Two sheets whose normals are opposite do not mix, even if they are nearer to each other than to the coarse mesh.
+TEST(Bake, PointsOfTheOtherSideOfAThinWallAreLeftOut) {
+  const Sphere coarse = sphere_of(2, false);
+  Sphere fine = sphere_of(6, true);
+  const std::size_t points = fine.positions.size();
+  for (std::size_t i = 0; i < points; ++i) {
+    fine.positions.push_back(0.99F * fine.positions[i]);
+    fine.normals.push_back(-fine.normals[i]);
+  }
+  const Baked model = bake(coarse.coarse(), mesh_source({.positions = fine.positions, .normals = fine.normals}, 1));
+  EXPECT_EQ(model.left_out, points / 3);
+  EXPECT_LT(errors_of(model).distance, 0.003);
+}
+
+TEST(Bake, SmallTextureMemoryGivesSmallMaps) {
+  const Baked large = bake_bumps();
+  const Baked small = bake_bumps({.texture_memory = std::size_t{1} << 20});
+  EXPECT_LE(std::size_t{small.width} * small.height * 8 * 4 / 3, std::size_t{1} << 20);
+  EXPECT_LT(small.width * small.height, large.width * large.height);
+  EXPECT_LT(errors_of(small).distance, 0.004);
+}
+
+TEST(Bake, SidesArePowersOfTwoWithinTheLimit) {
+  const Baked model = bake_bumps({.most_side = 128});
+  EXPECT_LE(model.width, 128U);
+  EXPECT_LE(model.height, 128U);
+  EXPECT_EQ(model.width & (model.width - 1), 0U);
+  EXPECT_EQ(model.height & (model.height - 1), 0U);
+}
+
+TEST(Bake, OriginIsKeptInDoublePrecision) {
+  const Sphere fine = sphere_of(5, true);
+  const Sphere coarse = sphere_of(2, false);
+  const std::array<double, 3> far{5e6, -3e6, 1e5};
+  CoarseMesh mesh = coarse.coarse();
+  mesh.origin = far;
+  FineMesh shifted = fine.fine();
+  shifted.origin = far;
+  const Baked model = bake(mesh, mesh_source(shifted, spacing));
+  EXPECT_EQ(model.origin, far);
+  EXPECT_LT(errors_of(model).distance, 0.003);
+}
+
+TEST(Bake, ReportsProgressInOrder) {
+  std::vector<double> fractions;
+  bake_bumps({.progress = [&](double fraction) { fractions.push_back(fraction); }});
+  ASSERT_FALSE(fractions.empty());
+  EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
+  EXPECT_EQ(fractions.back(), 1);
+  EXPECT_THROW(bake_bumps({.progress = [](double) { throw std::runtime_error("stop"); }}), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace glark::maps::test
