@@ -6,8 +6,7 @@
 // charts, too. Here, only the texels that the samples depend on change, each as little as possible.
 #include "glark/clients/maps/seams/seams.h"
 
-#include <Eigen/IterativeLinearSolvers>
-#include <Eigen/SparseCore>
+#include <Eigen/SparseCholesky>
 
 #include <algorithm>
 #include <cassert>
@@ -21,7 +20,7 @@ namespace {
 
 constexpr float measured_samples_per_texel = 8;
 
-using Sparse = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+using Sparse = Eigen::SparseMatrix<double>;
 
 float value_of(const ChartImage& chart, const BilinearSample& sample, unsigned channels, unsigned channel) {
   float value = 0;
@@ -73,6 +72,33 @@ Differences differences_of(std::span<const ChartImage> charts, std::span<const S
   return differences;
 }
 
+// The weights of changes, and of differences between the changes of neighbouring texels. Without the latter, texels that
+// samples hardly depend on would stay behind an offset between two charts.
+Sparse change_weights(std::span<const ChartImage> charts, const TouchedTexels& texels, Eigen::Index count,
+                      const SeamOptions& options) {
+  std::vector<Eigen::Triplet<double>> entries;
+  entries.reserve(9 * static_cast<std::size_t>(count));
+  const double fidelity = options.fidelity * options.samples_per_texel;
+  const double smoothness = options.smoothness * options.samples_per_texel;
+  texels.for_each([&](std::uint32_t chart, std::size_t texel, std::uint32_t i) {
+    const unsigned width = charts[chart].width;
+    entries.emplace_back(i, i, fidelity);
+    const auto join = [&](std::size_t neighbour) {
+      if (!texels.contains(chart, neighbour)) return;
+      const std::uint32_t j = texels.number(chart, neighbour);
+      entries.emplace_back(i, i, smoothness);
+      entries.emplace_back(j, j, smoothness);
+      entries.emplace_back(i, j, -smoothness);
+      entries.emplace_back(j, i, -smoothness);
+    };
+    if (texel % width + 1 < width) join(texel + 1);
+    if (texel / width + 1 < charts[chart].height) join(texel + width);
+  });
+  Sparse weights(count, count);
+  weights.setFromTriplets(entries.begin(), entries.end());
+  return weights;
+}
+
 }  // namespace
 
 SeamDifferences seam_jumps(std::span<const ChartImage> charts, unsigned channels, std::span<const Seam> seams) {
@@ -102,14 +128,8 @@ SeamDifferences equalise(std::span<const ChartImage> charts, unsigned channels, 
   const Differences differences = differences_of(charts, seams, options.samples_per_texel);
   const Eigen::Index columns = differences.matrix.cols();
   if (columns == 0) return seam_jumps(charts, channels, seams);
-  Sparse squares = differences.matrix.transpose() * differences.matrix;
-  Sparse identity(columns, columns);
-  identity.setIdentity();
-  squares += static_cast<double>(options.fidelity * options.samples_per_texel) * identity;
-  Eigen::ConjugateGradient<Sparse, Eigen::Lower | Eigen::Upper> solver;
-  solver.setTolerance(options.tolerance);
-  solver.setMaxIterations(static_cast<Eigen::Index>(options.max_iterations));
-  solver.compute(squares);
+  const Sparse squares = differences.matrix.transpose() * differences.matrix;
+  const Eigen::SimplicialLDLT<Sparse> solver(squares + change_weights(charts, differences.texels, columns, options));
   Eigen::VectorXd values(columns);
   for (unsigned c = 0; c < channels; ++c) {
     const auto value = [&](std::uint32_t chart, std::size_t texel) -> float& {

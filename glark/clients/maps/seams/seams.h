@@ -29,11 +29,11 @@ struct ChartImage {
   std::span<float> values;         // [channels * width * height], finite
 };
 
+// The weights are above 0, and compare with the difference along a seam.
 struct SeamOptions {
-  float samples_per_texel = 3;    // along a seam, of the side with more texels
-  float fidelity = 1e-3F;         // above 0: the weight of a texel's change, compared to the difference along a seam
-  float tolerance = 1e-4F;        // of the solver: the residual, relative to the one before the first iteration
-  unsigned max_iterations = 500;  // of the solver
+  float samples_per_texel = 3;  // along a seam, of the side with more texels
+  float fidelity = 1e-4F;       // the weight of a texel's change
+  float smoothness = 1e-3F;     // the weight of the difference between the changes of two neighbouring texels
 };
 
 // Differences of bilinear samples along all seams, for each channel.

@@ -40,6 +40,10 @@ class TouchedTexels {
     }
     return count;
   }
+  bool contains(std::uint32_t chart, std::size_t texel) const {
+    const std::size_t at = first_[chart] + texel;
+    return (bits_[at / 64] >> at % 64 & 1U) != 0;
+  }
   // The number of a texel of the set.
   std::uint32_t number(std::uint32_t chart, std::size_t texel) const {
     const std::size_t at = first_[chart] + texel;
