@@ -27,6 +27,9 @@ namespace {
 
 constexpr double samples_a_vertex = 2;  // of a fine mesh, at least: triangles are divided into whole parts
 
+// A reconstruction is nearer to noisy scans than strips, but takes longer and keeps all points in the memory.
+constexpr std::size_t most_reconstructed = 4000000;
+
 struct Bake {
   Files files;
   std::string mesh;
@@ -77,6 +80,11 @@ std::unique_ptr<Fine> read_fine(const Bake& command) {
 geometry::Geometry coarse_mesh(const Bake& command, const Fine& fine) {
   if (!command.mesh.empty()) return read_coarse_mesh(command.mesh, command.files);
   if (!fine.geometry.triangles.empty()) return simplify_to(fine.geometry, command.coarse);
+  const std::size_t points = fine.geometry.point_count();
+  if (points > 0 && points <= most_reconstructed) {
+    geometry::Geometry mesh = reconstruct_from(fine.geometry, command.coarse);
+    if (!mesh.triangles.empty()) return mesh;
+  }
   return strip_sampling(fine.source, command.coarse, command.files.skip_invalid);
 }
 
@@ -142,7 +150,7 @@ void run(const Bake& command) {
 }
 
 void describe(CLI::App& command, Bake& bake) {
-  command.add_option("--mesh", bake.mesh, "The coarse mesh; default: a mesh with fewer triangles, or strips of samples")
+  command.add_option("--mesh", bake.mesh, "The coarse mesh; default: a mesh or reconstruction with fewer triangles, or strips of samples of large scans")
       ->type_name("COARSE");
   command
       .add_option("--triangles", bake.coarse.triangles,

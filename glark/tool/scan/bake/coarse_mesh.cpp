@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <glark/reconstruct.h>
 #include <glark/stream.h>
 #include <glark/surfel.h>
 
@@ -77,6 +78,23 @@ geometry::Geometry simplify_to(const geometry::Geometry& fine, const CoarseOptio
   plain.normals = fine.normals;
   plain.triangles = fine.triangles;
   return simplified(plain, simplify).geometry;
+}
+
+geometry::Geometry reconstruct_from(const geometry::Geometry& points, const CoarseOptions& options) {
+  constexpr float least_part = 0.001F;  // of the area; smaller parts are mostly noise
+  geometry::Geometry mesh;
+  {
+    Progress progress("reconstructing");
+    progress.show(-1);
+    reconstruct::Reconstructed result =
+        reconstruct::reconstruct({.positions = points.positions, .normals = points.normals},
+                                 {.least_part = least_part, .threads = options.threads});
+    mesh.origin = points.origin;
+    mesh.positions = std::move(result.positions);
+    mesh.normals = std::move(result.normals);
+    mesh.triangles = std::move(result.triangles);
+  }
+  return mesh.triangles.empty() ? mesh : simplify_to(mesh, options);
 }
 
 geometry::Geometry strip_sampling(const stream::Source& source, const CoarseOptions& options, bool skip_invalid) {

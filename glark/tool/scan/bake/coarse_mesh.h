@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The coarse mesh of a model: a given one, a fine mesh with fewer triangles, or the surfel strips of a sampling.
+// The coarse mesh of a model: a given one, a fine mesh with fewer triangles, a reconstruction, or the surfel strips of a
+// sampling.
 #pragma once
 
 #include <glark/point_stream.h>
@@ -24,6 +25,8 @@ struct CoarseOptions {
 // Throws std::runtime_error if the file has no triangles.
 geometry::Geometry read_coarse_mesh(const std::string& file, const Files& files);
 geometry::Geometry simplify_to(const geometry::Geometry& fine, const CoarseOptions& options);
+// Returns no triangles if no surface is found in the points.
+geometry::Geometry reconstruct_from(const geometry::Geometry& points, const CoarseOptions& options);
 // Throws std::runtime_error if the points have no surface.
 geometry::Geometry strip_sampling(const stream::Source& source, const CoarseOptions& options, bool skip_invalid);
 
