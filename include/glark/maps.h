@@ -63,6 +63,9 @@ GLARK_EXPORT stream::Source mesh_source(const FineMesh& mesh, double spacing);
 struct BakeOptions {
   std::size_t texture_memory = std::size_t{128} << 20;  // bytes, of all maps with their mipmap levels; 1 MiB or more
   unsigned most_side = 16384;      // the greatest width and height of the maps, 64 to 32768
+  // The root mean square noise of the points, in their unit. A texel is at least 3.5 times as wide, so that points of
+  // several layers are averaged; 0: points are exact.
+  double noise = 0;
   double texels_per_point = 2;     // the most texels of the surface for each point, above 0 to 64
   // Points farther from the coarse mesh are left out, in the unit of the positions. 0: four times the root mean square
   // distance of the points, at least a coarse edge.

@@ -40,6 +40,7 @@ TEST_F(BadInput, OptionsOutOfRange) {
   expect_error(Element::option, 0, {.most_side = 32769});
   expect_error(Element::option, 0, {.texels_per_point = 0});
   expect_error(Element::option, 0, {.texels_per_point = static_cast<double>(nan)});
+  expect_error(Element::option, 0, {.noise = -1});
   expect_error(Element::option, 0, {.reach = -1});
 }
 

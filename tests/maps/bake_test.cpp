@@ -181,6 +181,14 @@ TEST(Bake, SmallTextureMemoryGivesSmallMaps) {
   EXPECT_LT(errors_of(small).distance, 0.004);
 }
 
+TEST(Bake, TexelsAreWiderThanTheNoise) {
+  const Baked exact = bake_bumps();
+  const Baked noisy = bake_bumps({.noise = 0.01});
+  EXPECT_LT(noisy.texels, exact.texels / 8);
+  // The sphere's area is 12.6, a texel's at least the square of 0.035. Places are larger than charts.
+  EXPECT_LT(static_cast<double>(noisy.texels), 4 * 12.6 / (0.035 * 0.035));
+}
+
 TEST(Bake, SidesArePowersOfTwoWithinTheLimit) {
   const Baked model = bake_bumps({.most_side = 128});
   EXPECT_LE(model.width, 128U);

@@ -94,8 +94,11 @@ class Baker {
     }
     // A normal and a colour have three bytes, a height two. The mipmap levels are a third of the first one.
     const std::uint64_t bytes = channels_ == channels_with_colour ? 8 : 5;
+    constexpr double texel_of_noise = 3.5;
     atlas_ = pack(charts_, surface_, wanted,
-                  {.most_texels = options_.texture_memory / bytes * 3 / 4, .most_side = options_.most_side});
+                  {.most_texels = options_.texture_memory / bytes * 3 / 4,
+                   .most_side = options_.most_side,
+                   .most_density = options_.noise > 0 ? 1 / (texel_of_noise * options_.noise) : 0});
     maps_.resize(charts_.size());
     for (std::size_t c = 0; c < charts_.size(); ++c) maps_[c].resize(atlas_.places[c], channels_);
   }

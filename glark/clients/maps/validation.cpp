@@ -47,6 +47,8 @@ void check(const BakeOptions& options) {
   if (!(options.texels_per_point > 0 && options.texels_per_point <= most_texels))
     throw Error(Element::option, 0,
                 fmt::format("texels_per_point is {}; above 0 to {} is possible", options.texels_per_point, most_texels));
+  if (!(options.noise >= 0) || !std::isfinite(options.noise))
+    throw Error(Element::option, 0, fmt::format("noise is {}; 0 or a length is possible", options.noise));
   if (!(options.reach >= 0) || !std::isfinite(options.reach))
     throw Error(Element::option, 0, fmt::format("reach is {}; 0 or a length is possible", options.reach));
 }

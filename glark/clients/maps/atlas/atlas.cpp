@@ -113,7 +113,9 @@ Atlas reduce(const std::vector<Chart>& charts, const std::vector<double>& densit
 
 Atlas pack(const std::vector<Chart>& charts, const Surface& surface, std::span<const double> wanted,
            const AtlasLimits& limits) {
-  const std::vector<double> densities = densities_of(charts, surface, wanted);
+  std::vector<double> densities = densities_of(charts, surface, wanted);
+  if (limits.most_density > 0)
+    for (double& density : densities) density = std::min(density, limits.most_density);
   unsigned width = least_side, height = least_side;
   while (true) {
     if (auto atlas = try_to_pack(charts, densities, 1, width, height)) return std::move(*atlas);

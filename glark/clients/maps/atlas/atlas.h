@@ -38,6 +38,7 @@ struct Atlas {
 struct AtlasLimits {
   std::uint64_t most_texels = 0;
   unsigned most_side = 0;
+  double most_density = 0;  // texels for each unit of length; 0: no limit
 };
 
 // wanted: the number of texels that each chart's triangles shall cover. Source: Boubekeur 2007, ch. 6.2.3; the aspect

@@ -77,13 +77,15 @@ std::unique_ptr<Fine> read_fine(const Bake& command) {
   return fine;
 }
 
-geometry::Geometry coarse_mesh(const Bake& command, const Fine& fine) {
+// noise: receives the noise of the points, if it is measured.
+geometry::Geometry coarse_mesh(const Bake& command, const Fine& fine, double& noise) {
   if (!command.mesh.empty()) return read_coarse_mesh(command.mesh, command.files);
   if (!fine.geometry.triangles.empty()) return simplify_to(fine.geometry, command.coarse);
   const std::size_t points = fine.geometry.point_count();
   if (points > 0 && points <= most_reconstructed) {
-    geometry::Geometry mesh = reconstruct_from(fine.geometry, command.coarse);
-    if (!mesh.triangles.empty()) return mesh;
+    CoarseReconstruction coarse = reconstruct_from(fine.geometry, command.coarse);
+    noise = coarse.noise;
+    if (!coarse.mesh.triangles.empty()) return std::move(coarse.mesh);
   }
   return strip_sampling(fine.source, command.coarse, command.files.skip_invalid);
 }
@@ -100,7 +102,7 @@ void warn_of_losses(const maps::Baked& model, const std::string& file) {
                      model.charts));
 }
 
-Report report_of(const maps::Baked& model) {
+Report report_of(const maps::Baked& model, double noise) {
   Report report;
   report["points"] = model.points;
   report["points_left_out"] = model.left_out;
@@ -113,6 +115,7 @@ Report report_of(const maps::Baked& model) {
   report["texels"] = model.texels;
   report["texels_filled"] = model.filled;
   report["reach"] = model.reach;
+  report["noise"] = noise;
   report["lowest_displacement"] = model.bias;
   report["highest_displacement"] = static_cast<double>(model.bias) + static_cast<double>(model.scale);
   report["seams"] = model.seams.edges;
@@ -130,8 +133,10 @@ void run(const Bake& command) {
   require_glb(command.files.output);
   check_output(command.files);
   const std::unique_ptr<Fine> fine = read_fine(command);
-  const geometry::Geometry mesh = coarse_mesh(command, *fine);
+  double noise = 0;
+  const geometry::Geometry mesh = coarse_mesh(command, *fine, noise);
   maps::BakeOptions options = command.options;
+  if (command.options.noise == 0) options.noise = noise;
   options.threads = command.coarse.threads;
   options.skip_invalid = command.files.skip_invalid;
   Progress progress("baking " + command.files.input);
@@ -143,7 +148,7 @@ void run(const Bake& command) {
                                        fine->source, options);
   warn_of_losses(model, command.files.input);
   maps::write_model(command.files.output, model);
-  Report report = report_of(model);
+  Report report = report_of(model, options.noise);
   report["seconds"] = progress.seconds();
   report["peak_memory_bytes"] = peak_memory();
   print(report, command.files.json);
@@ -163,6 +168,11 @@ void describe(CLI::App& command, Bake& bake) {
   command
       .add_option("--texels-per-point", bake.options.texels_per_point,
                   fmt::format("Texels for each point, up to 64; default {}", bake.options.texels_per_point))
+      ->check(above_zero());
+  command
+      .add_option("--noise", bake.options.noise,
+                  "The root mean square noise of the points, as a length: texels are 3.5 times as wide or more; default: "
+                  "measured where points are reconstructed, otherwise 0")
       ->check(above_zero());
   command
       .add_option("--reach", bake.options.reach,

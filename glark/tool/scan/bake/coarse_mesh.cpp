@@ -80,21 +80,24 @@ geometry::Geometry simplify_to(const geometry::Geometry& fine, const CoarseOptio
   return simplified(plain, simplify).geometry;
 }
 
-geometry::Geometry reconstruct_from(const geometry::Geometry& points, const CoarseOptions& options) {
+CoarseReconstruction reconstruct_from(const geometry::Geometry& points, const CoarseOptions& options) {
   constexpr float least_part = 0.001F;  // of the area; smaller parts are mostly noise
-  geometry::Geometry mesh;
+  CoarseReconstruction coarse;
+  geometry::Geometry& mesh = coarse.mesh;
   {
     Progress progress("reconstructing");
     progress.show(-1);
     reconstruct::Reconstructed result =
         reconstruct::reconstruct({.positions = points.positions, .normals = points.normals},
                                  {.least_part = least_part, .threads = options.threads});
+    coarse.noise = static_cast<double>(result.noise);
     mesh.origin = points.origin;
     mesh.positions = std::move(result.positions);
     mesh.normals = std::move(result.normals);
     mesh.triangles = std::move(result.triangles);
   }
-  return mesh.triangles.empty() ? mesh : simplify_to(mesh, options);
+  if (!mesh.triangles.empty()) mesh = simplify_to(mesh, options);
+  return coarse;
 }
 
 geometry::Geometry strip_sampling(const stream::Source& source, const CoarseOptions& options, bool skip_invalid) {

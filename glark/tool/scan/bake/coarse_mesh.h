@@ -25,8 +25,11 @@ struct CoarseOptions {
 // Throws std::runtime_error if the file has no triangles.
 geometry::Geometry read_coarse_mesh(const std::string& file, const Files& files);
 geometry::Geometry simplify_to(const geometry::Geometry& fine, const CoarseOptions& options);
-// Returns no triangles if no surface is found in the points.
-geometry::Geometry reconstruct_from(const geometry::Geometry& points, const CoarseOptions& options);
+struct CoarseReconstruction {
+  geometry::Geometry mesh;  // without triangles if no surface is found in the points
+  double noise = 0;         // of the points, in their unit
+};
+CoarseReconstruction reconstruct_from(const geometry::Geometry& points, const CoarseOptions& options);
 // Throws std::runtime_error if the points have no surface.
 geometry::Geometry strip_sampling(const stream::Source& source, const CoarseOptions& options, bool skip_invalid);
 
