@@ -16,6 +16,8 @@ namespace glark::maps {
 namespace {
 
 constexpr int finest_sweeps = 2;
+// A cycle leaves at most this part of the error that it began with, so at most about this part of its change is left.
+constexpr float contraction = 0.25F;
 
 // Fills the channels from `first` on. The lists and levels are made.
 template <unsigned channels>
@@ -39,8 +41,8 @@ Diffusion fill_channels(const Raster& raster, unsigned first, const DiffusionOpt
     levels.solve<blocks>(Solution::correction);
     float change = finest.correct(levels.first());
     for (int sweep = 1; sweep < finest_sweeps; ++sweep) finest.smooth();
-    change = std::max(change, finest.smooth());
-    done.has_converged = change <= options.tolerance;
+    change = std::max(change, finest.smooth_and_measure());
+    done.has_converged = change * contraction <= options.tolerance;
   }
   return done;
 }

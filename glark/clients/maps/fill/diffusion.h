@@ -21,14 +21,14 @@ struct Raster {
 };
 
 struct DiffusionOptions {
-  float tolerance = 1e-3F;       // relative to the range of the samples, in each channel
+  float tolerance = 1e-3F;       // of a value, relative to the range of the channel's samples
   unsigned max_iterations = 50;  // at least 1
 };
 
 struct Diffusion {
   std::size_t filled = 0;     // texels that had no sample, and have values now
   unsigned iterations = 0;    // multigrid cycles; 0 where no texel without a sample has a neighbour without one
-  bool has_converged = true;  // false: the last cycle still changed a value by more than the tolerance
+  bool has_converged = true;  // false: the last cycle changed values by more than four tolerances
 };
 
 // Keeps its memory, so that filling many charts does not allocate. Each thread needs an object of its own.

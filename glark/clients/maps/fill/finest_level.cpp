@@ -148,22 +148,36 @@ float FinestLevel<channels>::correct(const Level& level) {
 }
 
 template <unsigned channels>
-float FinestLevel<channels>::smooth() {
+template <bool is_measured>
+float FinestLevel<channels>::sweep() {
   Values change{};
-  const auto replace = [&](std::uint32_t index, unsigned block, Float4 values) {
-    change[block] = greatest(change[block], absolute(values - Blocks::load(at(index), block)));
-    Blocks::store(at(index), block, values);
+  const auto replace = [&change](float* texel, unsigned block, Float4 values) {
+    if constexpr (is_measured) change[block] = greatest(change[block], absolute(values - Blocks::load(texel, block)));
+    Blocks::store(texel, block, values);
   };
   for (const BorderTexel& texel : lists_.border) {
     for (unsigned b = 0; b < Blocks::count; ++b) {
       Float4 sum{};
       const unsigned count = for_neighbours(texel, [&](std::uint32_t i) { sum += Blocks::load(at(i), b); });
-      replace(texel.index, b, sum / static_cast<float>(count));
+      replace(at(texel.index), b, sum / static_cast<float>(count));
     }
   }
-  for (const ListedTexel& texel : lists_.inner)
-    for (unsigned b = 0; b < Blocks::count; ++b) replace(texel.index, b, sum_around(at(texel.index), b) * 0.25F);
-  return relative(change);
+  const FinestLevel local = *this;  // no store to a texel can change it, so its members stay in registers
+  for (const ListedTexel *texel = lists_.inner.data(), *end = texel + lists_.inner.size(); texel != end; ++texel) {
+    float* values = local.at(texel->index);
+    for (unsigned b = 0; b < Blocks::count; ++b) replace(values, b, local.sum_around(values, b) * 0.25F);
+  }
+  return is_measured ? relative(change) : 0;
+}
+
+template <unsigned channels>
+void FinestLevel<channels>::smooth() {
+  sweep<false>();
+}
+
+template <unsigned channels>
+float FinestLevel<channels>::smooth_and_measure() {
+  return sweep<true>();
 }
 
 template class FinestLevel<1>;

@@ -37,8 +37,9 @@ class FinestLevel {
   // Adds the values of their cells to the texels', and keeps these within the range. Returns the greatest change,
   // relative to the range.
   float correct(const Level& level);
-  // One sweep of Gauss and Seidel. Returns the greatest change, relative to the range.
-  float smooth();
+  // One sweep of Gauss and Seidel. The latter returns the greatest change, relative to the range.
+  void smooth();
+  float smooth_and_measure();
 
  private:
   float* at(std::uint32_t index) const { return values_ + index * stride_; }
@@ -49,6 +50,8 @@ class FinestLevel {
   // Calls visit(neighbour's index) for the neighbours within the raster. Returns their number.
   template <class Visit>
   unsigned for_neighbours(const BorderTexel& texel, const Visit& visit) const;
+  template <bool is_measured>
+  float sweep();
   float relative(const Values& change) const;
 
   float* values_;
