@@ -16,8 +16,6 @@ namespace glark::maps {
 namespace {
 
 constexpr int finest_sweeps = 2;
-// A cycle leaves at most this part of the error that it began with, so at most about this part of its change is left.
-constexpr float contraction = 0.25F;
 
 // Fills the channels from `first` on. The lists and levels are made.
 template <unsigned channels>
@@ -42,7 +40,7 @@ Diffusion fill_channels(const Raster& raster, unsigned first, const DiffusionOpt
     float change = finest.correct(levels.first());
     for (int sweep = 1; sweep < finest_sweeps; ++sweep) finest.smooth();
     change = std::max(change, finest.smooth_and_measure());
-    done.has_converged = change * contraction <= options.tolerance;
+    done.has_converged = change <= options.tolerance;
   }
   return done;
 }

@@ -21,14 +21,14 @@ struct Raster {
 };
 
 struct DiffusionOptions {
-  float tolerance = 1e-3F;       // of a value, relative to the range of the channel's samples
+  float tolerance = 1e-3F;       // of the last cycle's changes, relative to the range of the channel's samples
   unsigned max_iterations = 50;  // at least 1
 };
 
 struct Diffusion {
   std::size_t filled = 0;     // texels that had no sample, and have values now
   unsigned iterations = 0;    // multigrid cycles; 0 where no texel without a sample has a neighbour without one
-  bool has_converged = true;  // false: the last cycle changed values by more than four tolerances
+  bool has_converged = true;  // false: the last cycle changed values by more than the tolerance
 };
 
 // Keeps its memory, so that filling many charts does not allocate. Each thread needs an object of its own.

@@ -151,7 +151,7 @@ template <unsigned channels>
 template <bool is_measured>
 float FinestLevel<channels>::sweep() {
   Values change{};
-  const auto replace = [&change](float* texel, unsigned block, Float4 values) {
+  const auto replace = [&](float* texel, unsigned block, Float4 values) {
     if constexpr (is_measured) change[block] = greatest(change[block], absolute(values - Blocks::load(texel, block)));
     Blocks::store(texel, block, values);
   };
