@@ -24,5 +24,6 @@ std::vector<Table> reconstruction_tables(const Settings& settings);
 std::vector<Table> generated_cloud_tables(const Settings& settings);
 std::vector<Table> generated_mesh_tables(const Settings& settings);
 std::vector<Table> surfel_tables(const Settings& settings);
+std::vector<Table> map_tables(const Settings& settings);
 
 }  // namespace glark::bench

@@ -27,13 +27,16 @@ constexpr Group groups[] = {
     {"generated-clouds", generated_cloud_tables},
     {"generated-meshes", generated_mesh_tables},
     {"surfel", surfel_tables},
+#if GLARK_HAS_MAPS
+    {"maps", map_tables},
+#endif
 };
 
 constexpr const char* help =
     "glark-bench-points: what the client libraries for points do, side by side with what others do, as tables of "
     "Markdown.\n"
     "  --only GROUP          partition, simplification, reconstruction, generated-clouds,\n"
-    "                        generated-meshes or surfel; all if not given\n"
+    "                        generated-meshes, surfel or maps; all if not given\n"
     "  --data FOLDER         where NAME.ply or NAME.ply.zst of the scans are\n"
     "  --samples N,N,...     sizes of the sampled sets\n"
     "  --rounds N            how often everything is done, of which the least time counts\n"
