@@ -129,7 +129,7 @@ int run(int argc, char** argv, const Lesson& lesson) try {
   int status = 0;
   if (!read_arguments(argc, argv, lesson, arguments, status)) return status;
   return arguments.picture.empty() ? show_window(lesson, arguments) : write_picture(lesson, arguments);
-} catch (const std::runtime_error& error) {
+} catch (const std::exception& error) {
   std::fprintf(stderr, "%s: %s\n", argv[0], error.what());
   return 1;
 }

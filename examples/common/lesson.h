@@ -33,7 +33,7 @@ struct Lesson {
 //   --press KEYS       presses these keys first
 //   --seconds T        the time that draw() gets for the picture; 0 if not given
 //   --frames N         draws N frames; the picture shows the last one
-// Returns the exit status. begin() and draw() may throw std::runtime_error: its text is printed, the status is 1.
+// Returns the exit status. begin() and draw() may throw a std::exception: its text is printed, the status is 1.
 int run(int argc, char** argv, const Lesson& lesson);
 
 // Shows one line of text: in the title of the window, or on standard output with --png.

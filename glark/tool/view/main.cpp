@@ -4,6 +4,7 @@
 // glark-view: `glark view FILE` shows points or a mesh in a window, or writes a picture without a window. `glark edit SCAN`
 // becomes `glark-view edit SCAN` where there is a display.
 #include <CLI/CLI.hpp>
+#include <array>
 #include <cctype>
 #include <cstdio>
 #include <exception>
@@ -19,7 +20,9 @@
 #include "glark/tool/scan/edit/session_names.h"
 #include "glark/tool/view/edit/edit_window.h"
 #endif
+#include "glark/tool/view/draw/gl.h"
 #include "glark/tool/view/film.h"
+#include "glark/tool/view/maps/mapped_model.h"
 #include "glark/tool/view/offscreen.h"
 #include "glark/tool/view/window.h"
 
@@ -66,6 +69,13 @@ void describe(CLI::App& command, View& view) {
                                 {"refined", Mode::refined},
                                 {"patterns", Mode::patterns}}))
       ->type_name("MODE");
+  command
+      .add_option("--maps", options.maps,
+                  "plain, normal or displaced: a model with maps by its mode, with its normal map, or displaced by "
+                  "OpenGL too; default: all its maps, but plain with --mode or --measure")
+      ->transform(one_of<MapsShown>(
+          {{"plain", MapsShown::plain}, {"normal", MapsShown::normal}, {"displaced", MapsShown::displaced}}))
+      ->type_name("MAPS");
   command.add_option("--width", options.width, "Width of the picture in pixels; default 1024")
       ->check(CLI::Range(1, largest_side));
   command.add_option("--height", options.height, "Height of the picture in pixels; default 768")
@@ -88,10 +98,15 @@ void describe(CLI::App& command, View& view) {
   command.add_option("--level", options.settings.level, "Level of refinement, 0 to 4; default 2")
       ->check(CLI::Range(0, deepest_level));
   command
-      .add_option("--edge-pixels", options.settings.edge_pixels,
-                  "Refine edges into segments of at most so many pixels, instead of --level")
+      .add_option(
+          "--edge-pixels", options.settings.edge_pixels,
+          "Refine edges into segments of at most so many pixels, instead of --level; default for displaced maps: 4")
       ->check(CLI::Range(1, 10000));
-  command.add_flag("--lines", options.settings.lines, "Draw refined triangles as lines");
+  command
+      .add_option("--budget", options.settings.budget,
+                  "At most so many refined triangles with --edge-pixels: the segments grow until it holds")
+      ->check(CLI::Range(0, 1000000000));
+  command.add_flag("--lines", options.settings.lines, "Draw refined triangles, and those of maps, as lines");
   command.add_flag("!--no-cull", options.settings.cull, "Also draw strips that are out of view or face away");
 }
 
@@ -99,8 +114,8 @@ Report report_of(const Statistics& drawn) {
   Report report;
   report["indices"] = drawn.indices;
   report["points"] = drawn.points;
+  if (drawn.refined_triangles > 0) report["refined_triangles"] = drawn.refined_triangles;
   if (!drawn.patterns.empty()) {
-    report["refined_triangles"] = drawn.refined_triangles;
     for (const auto& [pattern, count] : drawn.patterns) report["patterns"][name_of(pattern)] = count;
   }
   if (drawn.strips == 0) return report;
@@ -115,12 +130,12 @@ Report report_of(const Statistics& drawn) {
 class Pictures {
  public:
   Pictures(const ViewOptions& options, std::vector<Model> models)
-      : options_(options), settings_(options.settings), context_(options.width, options.height) {
+      : options_(options), context_(options.width, options.height) {
     for (Model& model : models) {
-      scenes_.push_back(std::make_unique<Scene>(std::move(model.geometry)));
+      scenes_.push_back(std::make_unique<Scene>(std::move(model.geometry), model.maps));
       if (!model.distances.empty()) scenes_.back()->colour_by(model.distances, greatest_shown(model.distances));
     }
-    settings_.mode = options.mode.value_or(scenes_.front()->default_mode());
+    settings_ = settings_for(scenes_, options);
     camera = camera_for(*scenes_.front(), options);
   }
 
@@ -133,6 +148,7 @@ class Pictures {
       const Statistics drawn = scenes_[i]->draw(camera, settings_, part);
       if (i == 0) first = drawn;
     }
+    gl.Finish();  // without a window, this ends a frame
     return first;
   }
 
@@ -142,12 +158,14 @@ class Pictures {
   const ViewOptions& options_;
   DrawSettings settings_;
   Offscreen context_;
-  std::vector<std::unique_ptr<Scene>> scenes_;
+  Scenes scenes_;
 };
 
 void draw_offscreen(const View& view, std::vector<Model> models) {
+  constexpr int frames_to_budget = 12;  // the extension meets a budget some frames later
   Pictures pictures(view.options, std::move(models));
-  const Statistics drawn = pictures.draw();
+  Statistics drawn = pictures.draw();
+  for (int frame = 1; view.options.settings.budget > 0 && frame < frames_to_budget; ++frame) drawn = pictures.draw();
   if (drawn.indices == 0 && drawn.points == 0)
     warn(view.files.input + ": nothing is drawn, for its points make no triangles; use --mode splat");
   write_screenshot(view.picture, view.options.width, view.options.height);
@@ -168,10 +186,47 @@ void film_turntable(const View& view, std::vector<Model> models) {
   print(report_of(drawn), view.files.json);
 }
 
+std::string lower_case_ending(const std::string& file) {
+  std::string extension = std::filesystem::path(file).extension().string();
+  for (char& letter : extension) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return extension;
+}
+
+Model load_model(const std::string& file, const Files& files) {
+  const bool has_format = file == files.input && !files.format.empty();
+  const std::string format = has_format ? files.format : lower_case_ending(file);
+  if (format == ".glb" || format == ".gltf") {
+    MapsReading reading = read_maps(file);
+    for (const std::string& warning : reading.warnings) warn(warning);
+    if (reading.model) return {std::move(reading.model->geometry), {}, std::move(reading.model->maps)};
+  }
+  return {load(file, files), {}, {}};
+}
+
+// All models are drawn by one camera, so the origin of the first is theirs.
+void move_to_origin(const std::array<double, 3>& origin, geometry::Geometry& geometry) {
+  for (std::size_t i = 0; i < geometry.positions.size(); ++i)
+    geometry.positions[i] = static_cast<float>(geometry.positions[i] + (geometry.origin[i % 3] - origin[i % 3]));
+  geometry.origin = origin;
+}
+
+void check_maps(const View& view, const Model& model) {
+  if (!view.options.maps || *view.options.maps == MapsShown::plain) return;
+  const bool displaced = *view.options.maps == MapsShown::displaced;
+  if (!model.maps)
+    warn(view.files.input + ": it has no maps for --maps; glark bake makes them");
+  else if (displaced && !model.maps->displacement)
+    warn(view.files.input + ": it has no displacement map for --maps displaced; its other maps are drawn");
+}
+
 std::vector<Model> load_models(const View& view) {
   std::vector<Model> models;
-  models.push_back({load(view.files.input, view.files), {}});
-  if (!view.other.empty()) models.push_back({load(view.other, view.files), {}});
+  models.push_back(load_model(view.files.input, view.files));
+  check_maps(view, models.front());
+  if (!view.other.empty()) {
+    models.push_back(load_model(view.other, view.files));
+    move_to_origin(models.front().geometry.origin, models.back().geometry);
+  }
   if (view.reference.empty()) return models;
   const geometry::Geometry reference = load(view.reference, view.files);
   for (Model& model : models) {
@@ -183,12 +238,17 @@ std::vector<Model> load_models(const View& view) {
 }
 
 bool is_png(const std::string& file) {
-  std::string extension = std::filesystem::path(file).extension().string();
-  for (char& letter : extension) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  const std::string extension = lower_case_ending(file);
   return extension == ".png" || extension.empty();
 }
 
-void run(const View& view) {
+void run(View& view) {
+  ViewOptions& options = view.options;
+  if (options.mode && options.maps.value_or(MapsShown::plain) != MapsShown::plain)
+    throw CLI::ValidationError(
+        "--mode is for models without maps; leave it out with --maps normal or displaced, --lines shows their "
+        "triangles");
+  if (!view.reference.empty() && !options.maps) options.maps = MapsShown::plain;  // maps would hide its colours
   if (!view.picture.empty()) {
     if (!is_png(view.picture))
       throw std::runtime_error(view.picture + ": pictures are written as PNG; call it OUT.png");
@@ -257,6 +317,7 @@ int main(int argc, char** argv) {
 #if GLARK_HAS_EDIT
     if (editing->parsed()) run(edit);
 #endif
+    view.options.has_depth = command->count("--level") + command->count("--edge-pixels") > 0;
     if (command->parsed()) run(view);
   } catch (const CLI::Success& wanted) {  // --help
     return app.exit(wanted);

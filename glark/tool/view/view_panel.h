@@ -14,6 +14,7 @@ namespace glark::tool {
 // What keys and controls change.
 struct ViewState {
   DrawSettings settings;
+  MapsShown most_maps = MapsShown::plain;  // the most that a model has
   Camera camera;
   bool turntable = false;  // the model turns by itself
   bool panel = true;

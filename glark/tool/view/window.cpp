@@ -24,13 +24,15 @@
 namespace glark::tool {
 namespace {
 
+constexpr int edge_pixels_of_maps = 4;  // unless the options say otherwise
+
 class Viewer {
  public:
   Viewer(GLFWwindow* window, std::string title, std::vector<Model> models, const ViewOptions& options)
       : window_(window), title_(std::move(title)), options_(options) {
     for (Model& model : models) add(model);
-    state_.settings = options.settings;
-    state_.settings.mode = options.mode.value_or(scenes_.front()->default_mode());
+    state_.settings = settings_for(scenes_, options);
+    state_.most_maps = most_maps(scenes_);
     state_.camera = camera_for(*scenes_.front(), options);
     glfwSetWindowUserPointer(window, this);
     glfwSetCursorPosCallback(window, [](GLFWwindow* of, double x, double y) { self(of).moved(x, y); });
@@ -55,7 +57,7 @@ class Viewer {
   static Viewer& self(GLFWwindow* window) { return *static_cast<Viewer*>(glfwGetWindowUserPointer(window)); }
 
   void add(Model& model) {
-    scenes_.push_back(std::make_unique<Scene>(std::move(model.geometry)));
+    scenes_.push_back(std::make_unique<Scene>(std::move(model.geometry), model.maps));
     if (model.distances.empty()) return;
     state_.greatest_distance = greatest_shown(model.distances);
     scenes_.back()->colour_by(model.distances, state_.greatest_distance);
@@ -121,13 +123,16 @@ class Viewer {
     if (panel_->takes_keys()) return;
     constexpr std::array modes{Mode::splat, Mode::strip, Mode::mesh, Mode::wireframe, Mode::refined, Mode::patterns};
     DrawSettings& settings = state_.settings;
-    if (key >= GLFW_KEY_1 && key < GLFW_KEY_1 + static_cast<int>(modes.size()))
+    if (key >= GLFW_KEY_1 && key < GLFW_KEY_1 + static_cast<int>(modes.size())) {
       settings.mode = modes[static_cast<std::size_t>(key - GLFW_KEY_1)];
+      settings.maps = MapsShown::plain;
+    }
     switch (key) {
       case GLFW_KEY_EQUAL:
       case GLFW_KEY_KP_ADD: settings.level = std::min(settings.level + 1, deepest_level); break;
       case GLFW_KEY_MINUS:
       case GLFW_KEY_KP_SUBTRACT: settings.level = std::max(settings.level - 1, 0); break;
+      case GLFW_KEY_M: settings.maps = after(settings.maps); break;
       case GLFW_KEY_W: settings.lines = !settings.lines; break;
       case GLFW_KEY_C: settings.cull = !settings.cull; break;
       case GLFW_KEY_F: freeze(); break;
@@ -141,6 +146,11 @@ class Viewer {
       case GLFW_KEY_ESCAPE: glfwSetWindowShouldClose(window_, GLFW_TRUE); break;
       default: break;
     }
+  }
+
+  // Plain comes after the most maps that there are.
+  MapsShown after(MapsShown shown) const {
+    return shown >= state_.most_maps ? MapsShown::plain : static_cast<MapsShown>(static_cast<int>(shown) + 1);
   }
 
   void freeze() {
@@ -168,7 +178,7 @@ class Viewer {
   GLFWwindow* window_;
   std::string title_, shown_title_;
   ViewOptions options_;
-  std::vector<std::unique_ptr<Scene>> scenes_;
+  Scenes scenes_;
   ViewState state_;
   std::optional<ViewPanel> panel_;
   double x_ = 0, y_ = 0;
@@ -177,6 +187,21 @@ class Viewer {
 };
 
 }  // namespace
+
+MapsShown most_maps(const Scenes& scenes) {
+  MapsShown most = MapsShown::plain;
+  for (const std::unique_ptr<Scene>& scene : scenes) most = std::max(most, scene->most_maps());
+  return most;
+}
+
+DrawSettings settings_for(const Scenes& scenes, const ViewOptions& options) {
+  DrawSettings settings = options.settings;
+  const MapsShown most = most_maps(scenes);
+  settings.mode = options.mode.value_or(scenes.front()->default_mode());
+  settings.maps = options.maps.value_or(options.mode ? MapsShown::plain : most);
+  if (most == MapsShown::displaced && !options.has_depth) settings.edge_pixels = edge_pixels_of_maps;
+  return settings;
+}
 
 Camera camera_for(const Scene& scene, const ViewOptions& options) {
   Camera camera = scene.default_camera();

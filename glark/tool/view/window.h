@@ -4,6 +4,7 @@
 // The interactive viewer.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,10 +16,12 @@ namespace glark::tool {
 
 struct ViewOptions {
   std::optional<Mode> mode;
+  std::optional<MapsShown> maps;
   std::optional<float> yaw, pitch, zoom;
   std::optional<bool> z_is_up;
   int width = 1024;
   int height = 768;
+  bool has_depth = false;  // the settings' level or edge_pixels is given
   DrawSettings settings;
 };
 
@@ -26,7 +29,15 @@ struct ViewOptions {
 struct Model {
   geometry::Geometry geometry;
   std::vector<float> distances;  // of the points from a reference, or empty
+  std::optional<Maps> maps;
 };
+
+using Scenes = std::vector<std::unique_ptr<Scene>>;
+
+// The most maps that one of the scenes has.
+MapsShown most_maps(const Scenes& scenes);
+// How the scenes are drawn first.
+DrawSettings settings_for(const Scenes& scenes, const ViewOptions& options);
 
 Camera camera_for(const Scene& scene, const ViewOptions& options);
 // The part of the window for model `index` of `count`, side by side.

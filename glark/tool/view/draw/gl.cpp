@@ -18,4 +18,10 @@ void load_gl(GLADloadfunc loader) {
   }
 }
 
+void need_patterns(int level) {
+  GLint pool_level = -1;
+  gl.GetIntegerv(GL_POOL_LEVEL_ARK, &pool_level);
+  if (pool_level != level) gl.ARKinit(static_cast<GLuint>(level));
+}
+
 }  // namespace glark::tool

@@ -38,20 +38,6 @@ GLint token_of(Refinement refinement) {
   }
 }
 
-// Returns how many triangles OpenGL makes of a draw, refined ones included.
-template <class Draw>
-std::size_t triangles_made_by(Draw&& draw) {
-  GLuint query = 0;
-  gl.GenQueries(1, &query);
-  gl.BeginQuery(GL_PRIMITIVES_GENERATED, query);
-  draw();
-  gl.EndQuery(GL_PRIMITIVES_GENERATED);
-  GLuint triangles = 0;
-  gl.GetQueryObjectuiv(query, GL_QUERY_RESULT, &triangles);
-  gl.DeleteQueries(1, &query);
-  return triangles;
-}
-
 }  // namespace
 
 void clear_window() {
@@ -59,7 +45,7 @@ void clear_window() {
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-Scene::Scene(geometry::Geometry geometry) : geometry_(std::move(geometry)) {
+Scene::Scene(geometry::Geometry geometry, const std::optional<Maps>& maps) : geometry_(std::move(geometry)) {
   low_ = glm::vec3(std::numeric_limits<float>::infinity());
   high_ = -low_;
   for (std::size_t i = 0; i < geometry_.positions.size(); i += 3) {
@@ -73,6 +59,7 @@ Scene::Scene(geometry::Geometry geometry) : geometry_(std::move(geometry)) {
   if (!has_lighting_ && geometry_.colours.empty())
     geometry_.colours = colours_by_height(geometry_.positions, low_.z, high_.z);
   upload();
+  if (maps) mapped_ = std::make_unique<MappedMesh>(geometry_, *maps);
 }
 
 Scene::~Scene() {
@@ -84,11 +71,14 @@ Mode Scene::default_mode() const {
   return geometry_.point_count() > most_points_to_strip_unasked ? Mode::splat : Mode::strip;
 }
 
+MapsShown Scene::most_maps() const { return mapped_ ? mapped_->most() : MapsShown::plain; }
+
 Camera Scene::default_camera() const {
   Camera camera;
   const glm::vec3 size = high_ - low_;
   camera.target = (low_ + high_) / 2.0F;
-  camera.radius = std::max(glm::length(size) / 2, std::numeric_limits<float>::min() * 1e6F);
+  const float beyond = mapped_ ? mapped_->greatest_displacement() : 0;
+  camera.radius = std::max(glm::length(size) / 2 + beyond, std::numeric_limits<float>::min() * 1e6F);
   // Flat terrain extends little in z and is seen from above.
   camera.z_is_up = 4 * size.z < std::min(size.x, size.y);
   if (camera.z_is_up) camera.pitch = 40;
@@ -179,7 +169,7 @@ void Scene::set_up(const Camera& camera, const Look& look, const Part& part) con
   gl.LoadIdentity();
   set_light(look);
   gl.LoadMatrixf(glm::value_ptr(camera.view()));
-  gl.Color3f(0.78F, 0.76F, 0.72F);
+  gl.Color3fv(colour_without_texture.data());
   gl.ColorMaterial(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE);
   for (const GLenum capability : {GL_LIGHTING, GL_LIGHT0, GL_COLOR_MATERIAL, GL_NORMALIZE})
     if (has_lighting_)
@@ -262,16 +252,22 @@ Statistics Scene::draw_patterns(const Camera& camera, const DrawSettings& settin
 
 // Refines what is drawn until GL_ARK is off again.
 void Scene::refine(const DrawSettings& settings) const {
-  gl.ARKinit(deepest_level);
+  need_patterns(deepest_level);
   gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, settings.edge_pixels > 0 ? GL_MEASURED_DEPTH_ARK : GL_UNIFORM_DEPTH_ARK);
   gl.ARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, std::clamp(settings.level, 0, deepest_level));
   gl.ARKParameteriARK(GL_EDGE_PIXELS_ARK, settings.edge_pixels);
+  // The viewer cannot compute the depths of patterns that a budget chooses.
+  gl.ARKParameteriARK(GL_TRIANGLE_BUDGET_ARK, settings.mode == Mode::patterns ? 0 : settings.budget);
   gl.ARKParameteriARK(GL_REFINEMENT_ARK, has_lighting_ ? token_of(settings.refinement) : GL_LINEAR_OUTPUTS_ARK);
   gl.Enable(GL_ARK);
 }
 
 Statistics Scene::draw(const Camera& camera, const DrawSettings& settings, const Part& part) {
   set_up(camera, settings.look, part);
+  if (const MapsShown shown = std::min(settings.maps, most_maps()); shown != MapsShown::plain) {
+    const std::size_t triangles = mapped_->draw(shown, settings);
+    return {1, geometry_.triangles.size(), 0, 0, 0, 0, 0, {}, shown == MapsShown::displaced ? triangles : 0};
+  }
   if (settings.mode == Mode::splat) {
     draw_splats(camera, part.height);
     return {1, 0, geometry_.point_count(), 0, 0, 0, 0, {}, 0};

@@ -1,19 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Draws points as splats, surfel strips, or the triangles of the file. It uses the fixed functions of OpenGL, so that
-// the extension can refine the triangles.
+// Draws points as splats, surfel strips, the triangles of the file, or these with their maps. All but the maps use the
+// fixed functions of OpenGL, whose triangles the extension refines.
 #pragma once
 
 #include <glark/surfel.h>
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string_view>
 
 #include "glark/clients/geometry/geometry.h"
 #include "glark/tool/view/draw/draw_settings.h"
+#include "glark/tool/view/draw/mapped_mesh.h"
 #include "glark/tool/view/draw/patterns.h"
 
 namespace glark::tool {
@@ -27,7 +29,7 @@ struct Statistics {
   std::size_t nodes_out_of_frustum = 0;
   std::size_t nodes_back_facing = 0;
   PatternCounts patterns;             // of the mode `patterns`
-  std::size_t refined_triangles = 0;  // of the mode `patterns`, as OpenGL counts them
+  std::size_t refined_triangles = 0;  // of the mode `patterns` and displaced maps, as OpenGL counts them
 };
 
 void clear_window();
@@ -35,14 +37,15 @@ void clear_window();
 class Scene {
  public:
   // An OpenGL context must be current during the scene's lifetime.
-  explicit Scene(geometry::Geometry geometry);
+  explicit Scene(geometry::Geometry geometry, const std::optional<Maps>& maps = {});
   ~Scene();
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
   Mode default_mode() const;
+  MapsShown most_maps() const;
   Camera default_camera() const;
-  // Clears nothing.
+  // Clears nothing. It draws as many maps as there are and the settings want; without maps, by the settings' mode.
   Statistics draw(const Camera& camera, const DrawSettings& settings, const Part& part);
   // Colours the points by their distances, blue at 0 to red at `greatest`; in the unit of the positions.
   void colour_by(std::span<const float> distances, float greatest);
@@ -72,6 +75,7 @@ class Scene {
   glm::vec3 low_{}, high_{};
   float spacing_ = 0;  // the approximate distance of neighbouring points
   bool has_lighting_ = false;
+  std::unique_ptr<MappedMesh> mapped_;  // or none
   std::optional<surfel::Strips> strips_;
   surfel::Frame frame_;
   std::uint32_t points_buffer_ = 0;
