@@ -67,8 +67,8 @@ struct BakeOptions {
   // several layers are averaged; 0: points are exact.
   double noise = 0;
   double texels_per_point = 2;     // the most texels of the surface for each point, above 0 to 64
-  // Points farther from the coarse mesh are left out, in the unit of the positions. 0: four times the root mean square
-  // distance of the points, at least a coarse edge.
+  // Points farther from the coarse mesh are left out, in the unit of the positions. 0: six times the root mean square
+  // distance of the points, between a quarter of the mean coarse edge and two edges.
   double reach = 0;
   bool skip_invalid = false;       // leaves out points whose coordinates are not finite, instead of Error
   unsigned threads = 0;            // the most threads; 0: as many as the machine has

@@ -79,9 +79,9 @@ class Baker {
   }
 
   void set_reach(const Census& census) {
-    constexpr double deviations = 4;
+    constexpr double deviations = 6;
     model_.reach = options_.reach > 0 ? options_.reach
-                                      : std::clamp(deviations * census.root_mean_square, surface_.mean_edge / 2,
+                                      : std::clamp(deviations * census.root_mean_square, surface_.mean_edge / 4,
                                                    widest_reach());
   }
 

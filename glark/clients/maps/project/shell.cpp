@@ -124,15 +124,9 @@ std::size_t Shell::cell_of(Vector position) const {
 }
 
 // The foot solves foot + t * normal(foot) = position. Each step takes the normal at the foot before.
-bool Shell::find(const Prism& prism, Vector position, Foot& foot) const {
+bool Shell::find(const Prism& prism, const OverPlane& over, Foot& foot) {
   constexpr int steps = 3;
-  const Vector d = position - prism.corner;
-  const float height = common::dot(prism.plane, d);
-  if (std::abs(height) > reach_) return false;
-  const float first = common::dot(prism.to_first, d);
-  const float second = common::dot(prism.to_second, d);
-  Weights w{1 - first - second, first, second};
-  if (std::min({w[0], w[1], w[2]}) < -most_beyond - std::abs(height) * prism.slope) return false;
+  Weights w{1 - over.first - over.second, over.first, over.second};
   float t = 0;
   for (int step = 0; step < steps; ++step) {
     // Outside the triangle, normals are extrapolated and may lie in its plane.
@@ -140,9 +134,9 @@ bool Shell::find(const Prism& prism, Vector position, Foot& foot) const {
     const float sum = within[0] + within[1] + within[2];
     const Vector n = mix(prism.n, {within[0] / sum, within[1] / sum, within[2] / sum});
     if (n.z < least_rise) return false;
-    t = height / n.z;
-    w[1] = first - t * n.x;
-    w[2] = second - t * n.y;
+    t = over.height / n.z;
+    w[1] = over.first - t * n.x;
+    w[2] = over.second - t * n.y;
     w[0] = 1 - w[1] - w[2];
   }
   foot.weights = w;
@@ -160,8 +154,13 @@ std::optional<Foot> Shell::foot_of(Vector position, Vector normal) const {
     const std::uint32_t t = triangles_[i];
     const Prism& prism = prisms_[t];
     if (common::dot(normal, prism.plane) < 0) continue;
+    const Vector d = position - prism.corner;
+    const OverPlane over{common::dot(prism.plane, d), common::dot(prism.to_first, d), common::dot(prism.to_second, d)};
+    const float height = std::abs(over.height);
+    const float least = std::min({over.first, over.second, 1 - over.first - over.second});
+    if (height > reach_ || least < -most_beyond - height * prism.slope) continue;
     Foot foot;
-    if (!find(prism, position, foot)) continue;
+    if (!find(prism, over, foot)) continue;
     foot.triangle = t;
     const float beyond = -std::min({foot.weights[0], foot.weights[1], foot.weights[2]});
     if (beyond <= rounding && std::abs(foot.height) <= best_height) {

@@ -39,7 +39,11 @@ class Shell {
     float slope;  // a foot's weights differ by at most this, for each unit of height, from those in the plane
   };
 
-  bool find(const Prism& prism, Vector position, Foot& foot) const;
+  // Where a point lies over a triangle's plane.
+  struct OverPlane {
+    float height, first, second;  // the weights of the corners 1 and 2
+  };
+  static bool find(const Prism& prism, const OverPlane& over, Foot& foot);
   void add_prism(std::uint32_t triangle);
   void fill_cells();
   std::size_t cell_of(Vector position) const;  // beyond the last cell outside the grid

@@ -176,8 +176,8 @@ void describe(CLI::App& command, Bake& bake) {
       ->check(above_zero());
   command
       .add_option("--reach", bake.options.reach,
-                  "Leave out points farther than this from the coarse mesh; default: four times the root mean square "
-                  "distance, at least half an edge")
+                  "Leave out points farther than this from the coarse mesh; default: six times the root mean square "
+                  "distance, at least a quarter of an edge")
       ->check(above_zero());
 }
 
