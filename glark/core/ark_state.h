@@ -20,6 +20,7 @@ struct Displacement {
   float scale = 1;
   float bias = 0;
   bool on() const { return unit >= 0; }
+  bool operator==(const Displacement&) const = default;
 };
 
 // The state of GL_ARK_adaptive_refinement ("New State" of the specification).
@@ -44,6 +45,7 @@ struct ArkState {
   // While a display list is compiled, glARKinit may lower the current tag to this value. The tag is set at the end of
   // the list and is not compiled.
   std::optional<GLuint> lowered_tag;
+  bool operator==(const ArkState&) const = default;
 };
 
 // An application that uses the extension decides for itself; otherwise the user decides.

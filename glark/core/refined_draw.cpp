@@ -23,16 +23,16 @@ DrawPlan coarse(DrawPlan plan) {
   return plan;
 }
 
-void count_fallback(const DrawPlan& plan) {
-  if (plan.fallback) {
-    ++statistics().fallen_back[static_cast<std::size_t>(*plan.fallback)];
+void count_fallback(std::optional<RefinementFallback> fallback) {
+  if (fallback) {
+    ++statistics().fallen_back[static_cast<std::size_t>(*fallback)];
   }
 }
 
 void count_refined(const DrawPlan& plan) {
   ++statistics().draws_refined;
   ++plan.program->counters->draws_refined;
-  count_fallback(plan);
+  count_fallback(plan.fallback);
 }
 
 }  // namespace
@@ -41,6 +41,7 @@ RefinedDraw::RefinedDraw(const Environment& environment, const Parts& parts)
     : env_(environment),
       parts_(parts),
       views_(environment, parts.kept),
+      repeated_(environment),
       evaluation_(environment, {parts.pool, parts.capture.stage(), parts.kept, parts.programs.in_use()}),
       immediate_(environment, parts.planner, parts.meshes, parts.passes, parts.capture),
       submission_(environment, {parts.pool, parts.programs, parts.capture.stage(), parts.feedback_in_use}) {}
@@ -48,6 +49,9 @@ RefinedDraw::RefinedDraw(const Environment& environment, const Parts& parts)
 void RefinedDraw::run(const DrawCall& call) {
   ++statistics().draws_seen;
   const Quiet quiet = env_.state.quiet();
+  if (draw_repeated(call)) {
+    return;
+  }
   parts_.feedback.take_over();
   const Decision decision = parts_.planner.plan(call);
   if (decision.cause == Cause::not_triangles && parts_.feedback.refuses(call.mode)) {
@@ -76,7 +80,7 @@ void RefinedDraw::draw_refined(const DrawCall& call, const DrawPlan& plan, const
   views_.follow(plan, kept);
   const HalfWindow half(env_, HalfWindow::splits(env_));
   draw_left_half(half, call, quiet);
-  if (draw_kept_vertices(plan, kept)) {
+  if (draw_kept_vertices(call, plan, kept)) {
     return;
   }
   const capture::CoarseTriangles triangles = capture(call, facts, kept, quiet);
@@ -123,7 +127,7 @@ void RefinedDraw::pass_planned(const DrawPlan& plan, Cause cause, std::uint64_t 
   if (cause != Cause::not_triangles && cause != Cause::invalid_draw) {
     parts_.feedback.hand_back();
   }
-  count_fallback(plan);
+  count_fallback(plan.fallback);
   const std::string message = passed_.count(cause);
   if (!message.empty() && env_.ark.enabled && !env_.options.transparent) {
     const std::string reason = plan.program != nullptr ? plan.program->refinement_log : std::string();
@@ -202,25 +206,59 @@ capture::CoarseTriangles RefinedDraw::capture(const DrawCall& call, const KeyFac
   return *captured;
 }
 
+// Draws the kept vertices of a draw without a plan. False: the draw must be planned.
+bool RefinedDraw::draw_repeated(const DrawCall& call) {
+  if (parts_.feedback.watches_draws()) {
+    return false;
+  }
+  const RepeatedDraws::Planned* const planned = repeated_.find(call, parts_.programs.fixed_function().last());
+  if (planned == nullptr || (env_.options.transparent && parts_.planner.exempts(*planned->program, call.triangles))) {
+    return false;
+  }
+  parts_.kept.reuse(*planned->entry);
+  draw_vertices(*planned->entry);
+  ProgramCounters& counters = *planned->program->counters;
+  ++counters.draws_seen;
+  ++counters.draws_refined;
+  ++statistics().draws_refined;
+  count_fallback(planned->fallback);
+  return true;
+}
+
 // False: no refined vertices are kept.
-bool RefinedDraw::draw_kept_vertices(const DrawPlan& plan, const KeptDraw& kept) {
-  const RefinedVertices* const vertices = evaluation_.find(plan, kept);
-  if (vertices == nullptr) {
+bool RefinedDraw::draw_kept_vertices(const DrawCall& call, const DrawPlan& plan, const KeptDraw& kept) {
+  if (evaluation_.find(plan, kept) == nullptr) {
     return false;
   }
   const std::uint32_t triangles = kept.entry->triangles.count;
   {
     Watched watched;
     watch(watched, plan, std::nullopt, triangles, true);
-    submission_.draw_vertices(*vertices);
+    draw_vertices(*kept.entry);
   }
-  ++statistics().captures_reused;
-  ++statistics().draws_of_kept_vertices;
-  statistics().coarse_triangles += triangles;
-  statistics().refined_triangles += static_cast<std::uint64_t>(vertices->index_count) / 3;
   count_refined(plan);
   count_class(plan, std::nullopt, triangles);
+  note_repeated(call, plan, kept);
   return true;
+}
+
+void RefinedDraw::draw_vertices(const DrawCache::Entry& entry) {
+  submission_.draw_vertices(entry.vertices);
+  ++statistics().captures_reused;
+  ++statistics().draws_of_kept_vertices;
+  statistics().coarse_triangles += entry.triangles.count;
+  statistics().refined_triangles += static_cast<std::uint64_t>(entry.vertices.index_count) / 3;
+}
+
+// The next such draw needs no plan, unless the kept vertices depend on more than RepeatedDraws compares.
+void RefinedDraw::note_repeated(const DrawCall& call, const DrawPlan& plan, const KeptDraw& kept) {
+  const bool depends_on_more = plan.pipeline != nullptr || plan.depth.measured || plan.derived->height_map >= 0 ||
+                               plan.capture.lent || !plan.program->refinement_source.empty() ||
+                               parts_.feedback.watches_draws();
+  if (!depends_on_more) {
+    repeated_.note(call, parts_.programs.fixed_function().last(), {plan.program, kept.entry, plan.fallback},
+                   *plan.capture.inputs, parts_.kept.buffers_read());
+  }
 }
 
 void RefinedDraw::refine(const DrawPlan& plan, const capture::CoarseTriangles& captured, const KeptDraw& kept,

@@ -15,6 +15,7 @@
 #include "glark/core/feedback/refined_feedback.h"
 #include "glark/core/immediate/immediate_capture.h"
 #include "glark/core/keep/kept_draws.h"
+#include "glark/core/keep/repeated_draws.h"
 #include "glark/core/live/frame_watch.h"
 #include "glark/core/live/half_window.h"
 #include "glark/core/live/watched_draw.h"
@@ -73,13 +74,17 @@ class RefinedDraw {
   void count_class(const DrawPlan& plan, std::optional<Cause> cause, std::uint64_t triangles);
   void draw_refined(const DrawCall& call, const DrawPlan& plan, const Quiet& quiet);
   capture::CoarseTriangles capture(const DrawCall& call, const KeyFacts& facts, KeptDraw& kept, const Quiet& quiet);
-  bool draw_kept_vertices(const DrawPlan& plan, const KeptDraw& kept);
+  bool draw_repeated(const DrawCall& call);
+  bool draw_kept_vertices(const DrawCall& call, const DrawPlan& plan, const KeptDraw& kept);
+  void draw_vertices(const DrawCache::Entry& entry);
+  void note_repeated(const DrawCall& call, const DrawPlan& plan, const KeptDraw& kept);
   void refine(const DrawPlan& plan, const capture::CoarseTriangles& captured, const KeptDraw& kept, bool welded);
   depth::BinnedInstances sort(const DrawPlan& plan, const Records& records, const KeptDraw& kept);
 
   const Environment& env_;
   Parts parts_;
   KeptViews views_;
+  RepeatedDraws repeated_;
   evaluate::Evaluation evaluation_;
   ImmediateCapture immediate_;
   submit::Submission submission_;

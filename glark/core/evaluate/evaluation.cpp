@@ -102,6 +102,7 @@ bool Evaluation::make(const core::DrawPlan& plan, core::DrawCache::Entry& entry)
   }
   entry.vertices.vertex_array = make_vertex_array(env_.gl, mesh.format, entry.vertices.buffer, mesh.indices);
   entry.vertices.index_count = static_cast<GLsizei>(mesh.index_count);
+  entry.vertices.lifetime = std::make_shared<const char>();
   if (entry.vertices.vertex_array == 0 || env_.gl.GetError() != GL_NO_ERROR) {
     parts_.kept.drop_vertices(entry);
     return false;

@@ -49,15 +49,13 @@ std::pair<DrawCache::Answer, DrawCache::Entry*> DrawCache::look_up(const gl::Dis
     }
     entries_.emplace_front();
     at = entries_.begin();
+    at->place = at;
     at->key.assign(key.words().begin(), key.words().end());
     at->hash = hash;
     by_hash_.emplace(hash, at);
-  } else if (at != entries_.begin()) {
-    entries_.splice(entries_.begin(), entries_, at);
   }
   Entry& entry = *at;
-  const bool first_in_frame = std::exchange(entry.last_frame, frame_) != frame_;
-  entry.last_use = ++uses_;
+  const bool first_in_frame = use(entry);
   if (!known || entry.states != states_) {
     entry.states = states_;
     entry.filled = entry.refused = false;
@@ -70,6 +68,18 @@ std::pair<DrawCache::Answer, DrawCache::Entry*> DrawCache::look_up(const gl::Dis
     entry.frames_reused += first_in_frame ? 1 : 0;
   }
   return {entry.filled ? Answer::kept : entry.refused ? Answer::fresh : Answer::keep, &entry};
+}
+
+// Returns whether it is the first use in the frame.
+bool DrawCache::use(Entry& entry) {
+  entries_.splice(entries_.begin(), entries_, entry.place);
+  entry.last_use = ++uses_;
+  return std::exchange(entry.last_frame, frame_) != frame_;
+}
+
+void DrawCache::reuse(Entry& entry) {
+  entry.frames_reused += use(entry) ? 1 : 0;
+  ++entry.reuses;
 }
 
 void DrawCache::drop_oldest(const gl::Dispatch& gl) {

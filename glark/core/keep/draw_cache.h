@@ -42,8 +42,9 @@ class DrawCache {
     std::uint64_t last_frame = 0;
     KeptView view;  // of a measured draw
     RefinedVertices vertices;
-    unsigned reuses = 0;         // of the filled entry
-    unsigned frames_reused = 0;  // frames in which it was reused
+    std::list<Entry>::iterator place;  // in the list of the cache
+    unsigned reuses = 0;               // of the filled entry
+    unsigned frames_reused = 0;        // frames in which it was reused
 
     // Programs that never end a frame repeat their draws, too.
     bool repeats_often() const { return frames_reused > 2 || reuses > 16; }
@@ -52,6 +53,8 @@ class DrawCache {
     const GpuBuffer& instance_buffer() const { return view.kept() ? view.buffer : buffer; }
   };
 
+  // Notes that the draw of a filled entry comes again.
+  void reuse(Entry& entry);
   // Takes the states of the buffers: call it before the draw is captured.
   std::pair<Answer, Entry*> look_up(const gl::Dispatch& gl, const DrawKey& key, const BufferStamps& stamps);
   // Makes room for `bytes`: drops entries whose draws are no longer repeated. False: entries in use fill the budget.
@@ -81,6 +84,7 @@ class DrawCache {
  private:
   using Entries = std::list<Entry>;
   Entries::iterator find(std::uint64_t hash, std::span<const std::uint64_t> words);
+  bool use(Entry& entry);
   bool repeats(const Entry& entry) const { return uses_ - entry.last_use <= 2 * entries_.size(); }
   void drop_oldest(const gl::Dispatch& gl);
 

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "glark/core/capture/capture_plan.h"
@@ -63,6 +64,10 @@ class KeptDraws {
     const auto budget = static_cast<std::int64_t>(env_.options.kept_vertex_bytes);
     return cache_.allocate_vertices(env_.gl, entry, room, budget - shared_bytes);
   }
+  // The buffers that the draw of the last find() reads, in the order of the states of its entry.
+  std::span<const GLuint> buffers_read() const { return key_.buffers(); }
+  // The refined vertices of the entry are drawn again.
+  void reuse(DrawCache::Entry& entry) { cache_.reuse(entry); }
   void drop_vertices(DrawCache::Entry& entry) { cache_.drop_vertices(env_.gl, entry); }
 
   std::int64_t bytes() const { return cache_.bytes(); }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include "glark/core/objects/gpu_buffer.h"
 #include "glark/core/refinement.h"
@@ -44,7 +45,8 @@ struct RefinedVertices {
   GpuBuffer indices;        // empty if draws of the level share an index buffer
   GLuint vertex_array = 0;  // 0: nothing is kept
   GLsizei index_count = 0;
-  bool refused = false;  // with this key: there is no memory, or GL does not draw them
+  std::shared_ptr<const char> lifetime;  // expires when the vertices are dropped; null: nothing is kept
+  bool refused = false;                  // with this key: there is no memory, or GL does not draw them
 
   std::int64_t bytes() const { return buffer.size() + indices.size(); }
   void release(const gl::Dispatch& gl) {

@@ -33,6 +33,11 @@ class Planner {
 
   enum class Purpose { draw, feedback };  // feedback: what will be drawn is not known yet
   Decision plan(const DrawCall& call, Purpose purpose = Purpose::draw);
+  // Returns whether the user's rules exempt a draw whose other state was planned before.
+  bool exempts(const Program& program, std::uint64_t triangles) const {
+    const std::lock_guard lock(program.mutex);
+    return exempt(program, triangles).has_value();
+  }
   // Why a draw by glBegin and glEnd stays unrefined although its plan was fine before its triangles were counted.
   std::optional<Cause> cause_when_counted(const DrawPlan& plan, std::uint64_t triangles) const;
 

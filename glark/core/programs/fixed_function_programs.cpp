@@ -28,6 +28,7 @@ const refine::FixedFunctionState& FixedFunctionPrograms::read_state(const Progra
   const GLuint fragment_name = fragment != nullptr ? fragment->name : 0;
   if (env_.state.fixed_function().stale() || fragment_ != fragment_name) {
     env_.state.fixed_function().mark_read();
+    last_ = nullptr;
     fragment_ = fragment_name;
     state_ = refine::read_fixed_function_state(env_.gl, fragment_reads(fragment), env_.capabilities.fog_distance);
   }
@@ -45,6 +46,7 @@ Program* FixedFunctionPrograms::find(Program* fragment, MaterialSet materials) {
     slot = derived_.fixed_function(key.first, fragment);
     slot->refinement_source = refinement_source_;
   }
+  last_ = materials == 0 ? slot.get() : last_;
   return slot.get();
 }
 
@@ -63,6 +65,7 @@ void FixedFunctionPrograms::discard_derived() {
 }
 
 void FixedFunctionPrograms::forget_fragment(GLuint name) {
+  last_ = nullptr;
   for (auto entry = programs_.begin(); entry != programs_.end();) {
     if (entry->first.second == name && name != 0) {
       derived_.remove_generated(name, *entry->second);
@@ -77,6 +80,7 @@ void FixedFunctionPrograms::release() {
   for (auto& [key, program] : programs_) {
     derived_.remove_generated(key.second, *program);
   }
+  last_ = nullptr;
   programs_.clear();
 }
 

@@ -23,6 +23,9 @@ class FixedFunctionPrograms {
   // The program for the current state. `fragment` is the application's program with only fragment stages, or null. The
   // vertices have the parameters `materials` as attributes.
   Program* find(Program* fragment, MaterialSet materials);
+  // The program of the last find() without a fragment program, if the state is the same for certain; else null. Materials
+  // were not attributes.
+  Program* last() const { return env_.state.fixed_function().stale() || fragment_ != 0 ? nullptr : last_; }
   // Reads the current state, if it may have changed.
   const refine::FixedFunctionState& read_state(const Program* fragment);
   // The state that was last read.
@@ -43,7 +46,8 @@ class FixedFunctionPrograms {
   DerivedPrograms& derived_;
   std::map<std::pair<refine::FixedFunctionState, GLuint>, std::shared_ptr<Program>> programs_;
   refine::FixedFunctionState state_;
-  GLuint fragment_ = 0;  // fragment program that the state was read for
+  Program* last_ = nullptr;  // of the state, for vertices without materials; null: not known
+  GLuint fragment_ = 0;      // fragment program that the state was read for
   std::string refinement_source_;
 };
 

@@ -40,25 +40,18 @@ struct PolygonModes {
   GLenum back = GL_FILL;
   // GL_FILL only if both faces have it.
   GLenum either() const { return front == GL_FILL ? back : front; }
+  bool operator==(const PolygonModes&) const = default;
 };
 
 struct Culling {
   bool enabled = false;
   GLenum face = GL_BACK;  // glCullFace
   GLenum front_face = GL_CCW;
+  bool operator==(const Culling&) const = default;
 };
 
-struct Bindings {
-  bool stale = true;  // a call that the hooks cannot follow may have changed any of them
-  GLuint program = 0;
-  GLuint pipeline = 0;
-  GLuint vertex_array = 0;
-  TransformFeedbackBindings transform_feedback = {};
-  GLuint draw_indirect_buffer = 0;
-  GLuint parameter_buffer = 0;
-  GLuint query_buffer = 0;
-  GLuint storage_buffer = 0;
-  std::array<IndexedBuffer, tracked_storage_bindings> storage{};
+// The modes that the plan of a draw depends on. keep/repeated_draws.h compares all of them.
+struct PlannedModes {
   bool rasterizer_discard = false;
   bool blend = false;  // of draw buffer 0
   bool depth_test = false;
@@ -67,7 +60,6 @@ struct Bindings {
   bool stencil_test = false;
   bool polygon_offset = false;  // GL_POLYGON_OFFSET_FILL
   bool color_writes = true;     // of draw buffer 0, of any channel
-  GLenum matrix_mode = GL_MODELVIEW;
   bool primitive_restart = false;
   bool primitive_restart_fixed = false;
   bool vertex_program = false;  // GL_VERTEX_PROGRAM_ARB
@@ -79,6 +71,21 @@ struct Bindings {
   bool clamps_by_framebuffer = false;  // GL_FIXED_ONLY: not if the framebuffer has floating-point colours
   GLenum provoking_vertex = GL_LAST_VERTEX_CONVENTION;
   GLenum render_mode = GL_RENDER;
+  bool operator==(const PlannedModes&) const = default;
+};
+
+struct Bindings : PlannedModes {
+  bool stale = true;  // a call that the hooks cannot follow may have changed any of them
+  GLuint program = 0;
+  GLuint pipeline = 0;
+  GLuint vertex_array = 0;
+  TransformFeedbackBindings transform_feedback = {};
+  GLuint draw_indirect_buffer = 0;
+  GLuint parameter_buffer = 0;
+  GLuint query_buffer = 0;
+  GLuint storage_buffer = 0;
+  std::array<IndexedBuffer, tracked_storage_bindings> storage{};
+  GLenum matrix_mode = GL_MODELVIEW;
   std::array<float, 2> viewport{};  // width and height
   GLuint list_base = 0;
   bool debug_output = false;

@@ -18,7 +18,7 @@ VertexArray* followed(Context& c) {
     return nullptr;
   }
   c.state().refresh();
-  return &c.state().arrays().vertex_arrays().current(c.state().bindings().vertex_array);
+  return &c.state().arrays().vertex_arrays().change(c.state().bindings().vertex_array);
 }
 
 struct Pointer {

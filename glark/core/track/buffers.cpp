@@ -18,7 +18,7 @@ void follow_binding(Context& c, GLenum target, GLuint buffer) {
   const std::uint64_t generation = c.share().buffers.generation(buffer);
   const BoundBuffer bound{surely_bound(c, buffer, generation), buffer, generation};
   if (target == GL_ELEMENT_ARRAY_BUFFER) {
-    c.state().arrays().vertex_arrays().current(c.state().bindings().vertex_array).elements = bound;
+    c.state().arrays().vertex_arrays().change(c.state().bindings().vertex_array).elements = bound;
   } else if (BoundBuffer* kept = c.state().arrays().bound_buffers().at(target); kept != nullptr) {
     *kept = bound;
   }

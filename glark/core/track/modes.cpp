@@ -40,7 +40,7 @@ void client_state_changed(Context& c, GLenum array, bool enabled) {
   c.state()
       .arrays()
       .vertex_arrays()
-      .current(c.state().bindings().vertex_array)
+      .change(c.state().bindings().vertex_array)
       .sources[static_cast<std::size_t>(slot)]
       .enabled = enabled;
 }

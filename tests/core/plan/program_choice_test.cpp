@@ -10,12 +10,19 @@ namespace {
 constexpr ChoiceConditions compatibility{.is_compatibility = true};
 constexpr ChoiceConditions core_profile{.is_compatibility = false};
 
+Bindings bound(GLuint program, GLuint pipeline = 0) {
+  Bindings bindings;
+  bindings.program = program;
+  bindings.pipeline = pipeline;
+  return bindings;
+}
+
 void give_stage(Program& program, GLenum stage) { program.stages.push_back({stage, nullptr}); }
 
 TEST(ProgramChoice, AProgramWithAVertexStage) {
   Program program;
   give_stage(program, GL_VERTEX_SHADER);
-  const ProgramChoice choice = choose_program({.program = 1}, &program, compatibility);
+  const ProgramChoice choice = choose_program(bound(1), &program, compatibility);
   EXPECT_EQ(choice.cause, std::nullopt);
   EXPECT_EQ(choice.stage, VertexStage::program);
 }
@@ -23,27 +30,27 @@ TEST(ProgramChoice, AProgramWithAVertexStage) {
 // It is unknown whether a program from a binary has a vertex stage. The builder finds out later.
 TEST(ProgramChoice, AProgramFromABinary) {
   const Program program;
-  EXPECT_EQ(choose_program({.program = 1}, &program, core_profile).stage, VertexStage::program);
+  EXPECT_EQ(choose_program(bound(1), &program, core_profile).stage, VertexStage::program);
 }
 
 TEST(ProgramChoice, AProgramThatWasNotSeen) {
-  EXPECT_EQ(choose_program({.program = 1}, nullptr, compatibility).cause, Cause::no_program);
+  EXPECT_EQ(choose_program(bound(1), nullptr, compatibility).cause, Cause::no_program);
 }
 
 TEST(ProgramChoice, AProgramToWhichGlCannotReturn) {
   Program program;
   program.linked = false;
-  EXPECT_EQ(choose_program({.program = 1}, &program, compatibility).cause, Cause::program_gone);
+  EXPECT_EQ(choose_program(bound(1), &program, compatibility).cause, Cause::program_gone);
   program.linked = true;
   program.cause = Cause::program_gone;
-  EXPECT_EQ(choose_program({.program = 1}, &program, compatibility).cause, Cause::program_gone);
+  EXPECT_EQ(choose_program(bound(1), &program, compatibility).cause, Cause::program_gone);
 }
 
 TEST(ProgramChoice, FragmentsAloneTakeTheFixedFunction) {
   Program program;
   give_stage(program, GL_FRAGMENT_SHADER);
-  EXPECT_EQ(choose_program({.program = 1}, &program, compatibility).stage, VertexStage::fixed_function);
-  EXPECT_EQ(choose_program({.program = 1}, &program, core_profile).cause, Cause::no_program);
+  EXPECT_EQ(choose_program(bound(1), &program, compatibility).stage, VertexStage::fixed_function);
+  EXPECT_EQ(choose_program(bound(1), &program, core_profile).cause, Cause::no_program);
 }
 
 TEST(ProgramChoice, NoProgramIsTheFixedFunctionOfCompatibilityContexts) {
@@ -52,7 +59,8 @@ TEST(ProgramChoice, NoProgramIsTheFixedFunctionOfCompatibilityContexts) {
 }
 
 TEST(ProgramChoice, AssemblyProgramsAreTranslatedForProgramsThatDoNotKnow) {
-  const Bindings enabled{.vertex_program = true};
+  Bindings enabled;
+  enabled.vertex_program = true;
   EXPECT_EQ(choose_program(enabled, nullptr, compatibility).cause, Cause::assembly_program);
   constexpr ChoiceConditions transparent{.is_compatibility = true, .transparent = true};
   EXPECT_EQ(choose_program(enabled, nullptr, transparent).stage, VertexStage::assembly);
@@ -66,8 +74,8 @@ TEST(ProgramChoice, AssemblyProgramsAreTranslatedForProgramsThatDoNotKnow) {
 TEST(ProgramChoice, AProgramHasPrecedenceOverAProgramPipeline) {
   Program program;
   give_stage(program, GL_VERTEX_SHADER);
-  EXPECT_EQ(choose_program({.pipeline = 2}, nullptr, compatibility).stage, VertexStage::program_pipeline);
-  EXPECT_EQ(choose_program({.program = 1, .pipeline = 2}, &program, compatibility).stage, VertexStage::program);
+  EXPECT_EQ(choose_program(bound(0, 2), nullptr, compatibility).stage, VertexStage::program_pipeline);
+  EXPECT_EQ(choose_program(bound(1, 2), &program, compatibility).stage, VertexStage::program);
 }
 
 TEST(ProgramChoice, ProgramPipelinesNeedAVertexStageAndNoTessellation) {

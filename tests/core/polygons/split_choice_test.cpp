@@ -37,7 +37,9 @@ TEST(SplitChoice, InexactQuadsAreStillQuads) {
 }
 
 TEST(SplitChoice, FlatValuesHaveNoCentroid) {
-  EXPECT_FALSE(splits_at_centroid(quads(), {}, {.shade_model = GL_FLAT}));
+  core::Bindings flat;
+  flat.shade_model = GL_FLAT;
+  EXPECT_FALSE(splits_at_centroid(quads(), {}, flat));
   core::Program program;
   program.traits.writes_flat_outputs = true;
   EXPECT_FALSE(splits_at_centroid(quads(), program, {}));

@@ -13,7 +13,9 @@ ModeChanges changes(const refine::FixedFunctionState& state, core::Program* owne
   core::DrawPlan plan;
   plan.program = &program;
   plan.owner = owner;
-  return mode_changes(plan, state, {.two_side = two_side});
+  core::Bindings bindings;
+  bindings.two_side = two_side;
+  return mode_changes(plan, state, bindings);
 }
 
 TEST(ModeChanges, AProgramOfTheApplicationNeedsNone) {

@@ -33,7 +33,7 @@ class ArrayState {
   BoundBuffers& bound_buffers() { return bound_buffers_; }
   const BoundBuffers& bound_buffers() const { return bound_buffers_; }
   VertexArrays& vertex_arrays() { return vertex_arrays_; }
-  // The vertex array that is bound.
+  // The vertex array that is bound, to read it. Hooks change it by VertexArrays::change().
   VertexArray& current() { return vertex_arrays_.current(of_.bindings.vertex_array); }
 
   // The buffer bound to a target. Queries GL where that is not known.

@@ -124,6 +124,7 @@ VertexArray& VertexArrays::look_up(GLuint name) {
     current_->epoch = epoch_;
     current_->known = 0;
     current_->elements.known = false;
+    current_->version = ++versions_;
   }
   return *current_;
 }

@@ -30,11 +30,13 @@ struct AttributeSource {
   std::uint64_t generation = 0;  // generation of the buffer's name when it was attached
   GLintptr offset = 0;
   GLsizei stride = 0;
+  bool operator==(const AttributeSource&) const = default;
 };
 
 struct VertexArray {
   std::uint64_t known = 0;  // slots whose source is valid
   std::uint64_t epoch = 0;
+  std::uint64_t version = 0;  // another number after each change, of this or of any other array
   std::array<AttributeSource, slot_count> sources{};
   BoundBuffer elements;
 };
@@ -49,13 +51,34 @@ class VertexArrays {
   void confirm(GLuint name);
   void erase(GLuint name);
 
-  void forget_current() { current_ != nullptr ? static_cast<void>(current_->known = 0) : forget_all(); }
-  void forget_elements() { current_ != nullptr ? static_cast<void>(current_->elements.known = false) : forget_all(); }
+  void forget_current() {
+    if (current_ == nullptr) {
+      forget_all();
+      return;
+    }
+    current_->known = 0;
+    current_->version = ++versions_;
+  }
+  void forget_elements() {
+    if (current_ == nullptr) {
+      forget_all();
+      return;
+    }
+    current_->elements.known = false;
+    current_->version = ++versions_;
+  }
   void forget_all() {
     ++epoch_;
     current_ = nullptr;
   }
+  // The array that is bound, which is `name`: to read it, or to fill in what GL says.
   VertexArray& current(GLuint name) { return current_ != nullptr ? *current_ : look_up(name); }
+  // The same, for calls that change it.
+  VertexArray& change(GLuint name) {
+    VertexArray& array = current(name);
+    array.version = ++versions_;
+    return array;
+  }
 
  private:
   VertexArray& look_up(GLuint name);
@@ -64,6 +87,7 @@ class VertexArrays {
   std::vector<bool> seen_;  // names that GL is known to have objects for
   VertexArray* current_ = nullptr;
   std::uint64_t epoch_ = 1;
+  std::uint64_t versions_ = 0;
 };
 
 // Bytes from one element to the next if the application gives a stride of 0; 0 for unknown types.
