@@ -54,6 +54,8 @@ class RefinedDraw {
   void end_immediate(std::uint64_t triangles);
   // glEnd of a draw that began unrefined.
   void end_unrefined(std::uint64_t triangles);
+  // Call before a draw whose number of vertices transform feedback has counted.
+  void begin_counted() { submission_.flush_indirect(); }
   // Issues the draw unrefined.
   void leave(const DrawCall& call, Cause cause);
   void frame_finished();

@@ -104,6 +104,17 @@ static GLuint captured_points = 0;  // a transform feedback object that has capt
 
 static void draw_captured(GLenum mode) { glDrawTransformFeedback(mode, captured_points); }
 
+static void draw_captured_after_indirect(GLenum mode) {
+  const GLuint no_vertices[] = {0, 1, 0, 0};
+  GLuint commands = 0;
+  glGenBuffers(1, &commands);
+  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, commands);
+  glBufferData(GL_DRAW_INDIRECT_BUFFER, sizeof(no_vertices), no_vertices, GL_STATIC_DRAW);
+  glDrawArraysIndirect(mode, NULL);
+  glDrawTransformFeedback(mode, captured_points);
+  glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+}
+
 // OpenGL 4.6, 13.3.2: the draw equals DrawArrays with as many vertices as were captured.
 static void show_captured_polygons(void) {
   GLuint buffer = 0;
@@ -129,6 +140,11 @@ static void show_captured_polygons(void) {
   print_fault("captured_quads", capture(draw_captured, GL_QUADS).triangles, 4, "triangles of two quads");
   print_fault("captured_quad_strip", capture(draw_captured, GL_QUAD_STRIP).triangles, 6, "triangles of a quad strip");
   print_fault("captured_polygon", capture(draw_captured, GL_POLYGON).triangles, 6, "triangles of a polygon");
+  print_fault("captured_after_indirect", capture(draw_captured_after_indirect, GL_TRIANGLE_FAN).triangles, 6,
+              "triangles of a fan after an indirect draw of none");
+  glVertexAttribPointer(0, 1, GL_FLOAT, GL_FALSE, 2 * sizeof(float), NULL);
+  print_fault("captured_stride", capture(draw_captured, GL_TRIANGLE_FAN).triangles, 6,
+              "triangles of a fan with an array of another stride");
 }
 
 // OpenGL 4.6, 5.1.3: the name of a deleted buffer is free, although a vertex array still holds the buffer.

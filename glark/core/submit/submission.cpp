@@ -63,6 +63,7 @@ void Submission::draw(const core::DrawPlan& plan, const RefinedTriangles& refine
   }
   resume_restart();
   const bool indirect = is_indirect(plan, refined);
+  drew_indirectly_ = drew_indirectly_ || indirect;
   if (indirect && b.parameter_buffer != 0) {
     env_.gl.BindBuffer(GL_PARAMETER_BUFFER, b.parameter_buffer);
   }
@@ -114,6 +115,13 @@ void Submission::restore(bool indirect, bool storage) const {
   }
   if (storage) {
     restore_storage();
+  }
+}
+
+void Submission::flush_indirect() {
+  if (drew_indirectly_) {
+    drew_indirectly_ = false;
+    env_.gl.Flush();
   }
 }
 

@@ -43,6 +43,9 @@ class Submission {
   void draw(const core::DrawPlan& plan, const RefinedTriangles& refined);
   // Draws refined vertices by the application's own program or fixed function.
   void draw_vertices(const core::RefinedVertices& vertices);
+  // Call before glDrawTransformFeedback. It draws as many vertices as the last indirect draw, unless GL starts another
+  // command buffer in between: fault `captured_after_indirect` of Mesa 22's Vulkan driver, docs/reference/drivers.md.
+  void flush_indirect();
   // Restores the vertex array and the program after a capture of no triangles.
   void restore_after_capture() const;
   void release() { stage_.release(); }
@@ -60,6 +63,7 @@ class Submission {
   Parts parts_;
   DrawModes modes_;
   SubmitStage stage_;
+  bool drew_indirectly_ = false;  // since the last flush_indirect()
 };
 
 }  // namespace glark::submit

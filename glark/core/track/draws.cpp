@@ -167,6 +167,7 @@ std::uint64_t end_of_all(const GLint* first, const GLsizei* count, GLsizei draws
 
 // Only the GPU knows the number of vertices; the buffers that they were captured to give a bound.
 void draw_feedback(Context& context, GLenum mode, GLuint id, GLsizei instances, Issue issue) {
+  context.stages()->draw().begin_counted();
   const std::optional<std::uint64_t> vertices = context.stages()->feedback().room().vertices(id);
   if (!vertices || instances < 0) {
     leave(context, {.mode = mode, .from_arrays = true, .issue = issue}, Cause::indirect_unbounded);
