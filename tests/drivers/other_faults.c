@@ -133,12 +133,48 @@ static void show_fog_of_fragments(void) {
   glDisable(GL_FOG);
 }
 
+// OpenGL 4.6, 7.6: a uniform keeps its value until it is set again, whichever programs run in between.
+static void show_uniform_of_condition(void) {
+  static const GLint conditions[] = {1, 1, 0, 0};
+  GLint found[4] = {0, 0, 0, 0};
+  GLuint buffer = 0;
+  const GLuint other = program_of(GL_COMPUTE_SHADER,
+                                  "#version 430\nlayout(local_size_x = 1) in;\n"
+                                  "layout(std430, binding = 0) buffer Result { int results[]; };\n"
+                                  "layout(location = 0) uniform int condition;\n"
+                                  "void main() { if (condition == 1) results[0] = 1; }\n",
+                                  NULL);
+  const GLuint program = program_of(GL_COMPUTE_SHADER,
+                                    "#version 430\nlayout(local_size_x = 1) in;\n"
+                                    "layout(std430, binding = 0) buffer Result { int results[]; };\n"
+                                    "layout(location = 0) uniform int place;\n"
+                                    "layout(location = 1) uniform int condition;\n"
+                                    "void main() { if (condition == 1) results[place] = 1; else results[place] = 2; }\n",
+                                    NULL);
+  glGenBuffers(1, &buffer);
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, buffer);
+  glBufferData(GL_SHADER_STORAGE_BUFFER, sizeof(found), found, GL_DYNAMIC_COPY);
+  for (GLint i = 0; i < 4; ++i) {
+    glUseProgram(program);
+    glUniform1i(0, i);
+    glUniform1i(1, conditions[i]);
+    glDispatchCompute(1, 1, 1);
+    glUseProgram(other);
+    glDispatchCompute(1, 1, 1);
+  }
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glGetBufferSubData(GL_SHADER_STORAGE_BUFFER, 0, sizeof(found), found);
+  print_fault("uniform_of_condition", (unsigned)found[3], 2,
+              "is the branch that a compute shader takes for a uniform that was 1 earlier, and is 0");
+}
+
 void show_other_faults(int version) {
   show_restart_without_indices();
   show_captured_provoking_vertex();
   show_client_arrays();
   if (version >= 43) {
     show_link_after_feedback();
+    show_uniform_of_condition();
   }
   if (version >= 44) {
     show_data_after_query();

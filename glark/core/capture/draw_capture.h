@@ -54,6 +54,7 @@ class DrawCapture {
   CaptureStage stage_;
   bool uncounted_ = false;  // a query holds the number of triangles of the last draw
   unsigned uncounted_level_ = 0;
+  unsigned clip_distances_ = 0;  // of the application, which are off until end()
 };
 
 }  // namespace glark::capture

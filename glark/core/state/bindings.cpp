@@ -59,6 +59,10 @@ void read_modes(const gl::Dispatch& gl, const Capabilities& capabilities, Bindin
   b.primitive_restart_fixed = gl.IsEnabled(GL_PRIMITIVE_RESTART_FIXED_INDEX) != GL_FALSE;
   if (capabilities.api != Capabilities::Api::es) {
     b.primitive_restart = gl.IsEnabled(GL_PRIMITIVE_RESTART) != GL_FALSE;
+    b.clip_distances = 0;
+    for (GLenum i = 0; i < clip_distance_count; ++i) {
+      b.clip_distances |= static_cast<std::uint8_t>((gl.IsEnabled(GL_CLIP_DISTANCE0 + i) != GL_FALSE ? 1U : 0U) << i);
+    }
     GLint modes[2] = {GL_FILL, GL_FILL};
     gl.GetIntegerv(GL_POLYGON_MODE, modes);
     b.polygon_modes.front = static_cast<GLenum>(modes[0]);

@@ -53,6 +53,7 @@ struct Culling {
 // The modes that the plan of a draw depends on. keep/repeated_draws.h compares all of them.
 struct PlannedModes {
   bool rasterizer_discard = false;
+  std::uint8_t clip_distances = 0;  // bit i: GL_CLIP_DISTANCEi; not in OpenGL ES
   bool blend = false;  // of draw buffer 0
   bool depth_test = false;
   bool depth_writes = true;
@@ -91,6 +92,8 @@ struct Bindings : PlannedModes {
   bool debug_output = false;
   PrimitiveQueries queries = {};
 };
+
+constexpr GLenum clip_distance_count = 8;  // every OpenGL 3.0 has as many
 
 // Reads all of them from GL, except for the queries.
 void read_bindings(const gl::Dispatch& gl, const Capabilities& capabilities, Bindings& bindings);

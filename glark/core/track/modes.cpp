@@ -68,6 +68,18 @@ void set_tag_array(Context& c, bool enabled) {
   }
 }
 
+// Names other than those of clip distances are left out.
+void note_clip_distance(Context& c, GLenum capability, bool enabled) {
+  const GLenum number = capability - GL_CLIP_DISTANCE0;
+  if (capability < GL_CLIP_DISTANCE0 || number >= clip_distance_count ||
+      c.capabilities().api == Capabilities::Api::es) {
+    return;
+  }
+  std::uint8_t& bits = c.state().bindings().clip_distances;
+  const auto bit = static_cast<std::uint8_t>(1U << number);
+  bits = static_cast<std::uint8_t>(enabled ? bits | bit : bits & ~bit);
+}
+
 // Notes the enables that refined draws depend on. All others can only change the generated vertex stage.
 void set_capability(Context& c, GLenum capability, bool enabled) {
   Bindings& b = c.state().bindings();
@@ -96,7 +108,10 @@ void set_capability(Context& c, GLenum capability, bool enabled) {
     case GL_EDGE_FLAG_ARRAY:
     case GL_FOG_COORD_ARRAY:
     case GL_SECONDARY_COLOR_ARRAY: c.state().arrays().vertex_arrays().forget_current(); break;
-    default: c.state().fixed_function().touch(); break;
+    default:
+      note_clip_distance(c, capability, enabled);
+      c.state().fixed_function().touch();
+      break;
   }
 }
 
