@@ -136,14 +136,15 @@ static void show_captured_polygons(void) {
   glBindBuffer(GL_ARRAY_BUFFER, buffer);
   glVertexAttribPointer(0, 1, GL_FLOAT, GL_FALSE, 0, NULL);
   glEnableVertexAttribArray(0);
-  print_fault("captured_triangle_fan", capture(draw_captured, GL_TRIANGLE_FAN).triangles, 6, "triangles of a fan");
+  const unsigned fan = capture(draw_captured, GL_TRIANGLE_FAN).triangles;
+  print_fault("captured_triangle_fan", fan, 6, "triangles of a fan");
   print_fault("captured_quads", capture(draw_captured, GL_QUADS).triangles, 4, "triangles of two quads");
   print_fault("captured_quad_strip", capture(draw_captured, GL_QUAD_STRIP).triangles, 6, "triangles of a quad strip");
   print_fault("captured_polygon", capture(draw_captured, GL_POLYGON).triangles, 6, "triangles of a polygon");
-  print_fault("captured_after_indirect", capture(draw_captured_after_indirect, GL_TRIANGLE_FAN).triangles, 6,
+  print_fault("captured_after_indirect", capture(draw_captured_after_indirect, GL_TRIANGLE_FAN).triangles, fan,
               "triangles of a fan after an indirect draw of none");
   glVertexAttribPointer(0, 1, GL_FLOAT, GL_FALSE, 2 * sizeof(float), NULL);
-  print_fault("captured_stride", capture(draw_captured, GL_TRIANGLE_FAN).triangles, 6,
+  print_fault("captured_stride", capture(draw_captured, GL_TRIANGLE_FAN).triangles, fan,
               "triangles of a fan with an array of another stride");
 }
 
