@@ -144,13 +144,14 @@ static void show_uniform_of_condition(void) {
                                   "layout(location = 0) uniform int condition;\n"
                                   "void main() { if (condition == 1) results[0] = 1; }\n",
                                   NULL);
-  const GLuint program = program_of(GL_COMPUTE_SHADER,
-                                    "#version 430\nlayout(local_size_x = 1) in;\n"
-                                    "layout(std430, binding = 0) buffer Result { int results[]; };\n"
-                                    "layout(location = 0) uniform int place;\n"
-                                    "layout(location = 1) uniform int condition;\n"
-                                    "void main() { if (condition == 1) results[place] = 1; else results[place] = 2; }\n",
-                                    NULL);
+  const GLuint program =
+      program_of(GL_COMPUTE_SHADER,
+                 "#version 430\nlayout(local_size_x = 1) in;\n"
+                 "layout(std430, binding = 0) buffer Result { int results[]; };\n"
+                 "layout(location = 0) uniform int place;\n"
+                 "layout(location = 1) uniform int condition;\n"
+                 "void main() { if (condition == 1) results[place] = 1; else results[place] = 2; }\n",
+                 NULL);
   glGenBuffers(1, &buffer);
   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, buffer);
   glBufferData(GL_SHADER_STORAGE_BUFFER, sizeof(found), found, GL_DYNAMIC_COPY);

@@ -54,7 +54,7 @@ struct Culling {
 struct PlannedModes {
   bool rasterizer_discard = false;
   std::uint8_t clip_distances = 0;  // bit i: GL_CLIP_DISTANCEi; not in OpenGL ES
-  bool blend = false;  // of draw buffer 0
+  bool blend = false;               // of draw buffer 0
   bool depth_test = false;
   bool depth_writes = true;
   GLenum depth_function = GL_LESS;
