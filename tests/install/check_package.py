@@ -120,7 +120,7 @@ class Package(unittest.TestCase):
         installed = {str(file.relative_to(self.prefix / "include")) for file in (self.prefix / "include").rglob("*.h")}
         self.assertEqual(wanted, installed)
         self.assertLessEqual({str(file.relative_to(source)) for file in source.rglob("*.h")} - installed,
-                             {f"{folder}/{name}.h" for name in ("depth", "edit", "pn", "qas", "reconstruct", "stream", "surfel", "vstree")
+                             {f"{folder}/{name}.h" for name in ("depth", "edit", "maps", "pn", "qas", "reconstruct", "stream", "surfel", "vstree")
                               for folder in ("glark", "glark/c")} | {"glark/edit_operations.h", "glark/point_stream.h"})
 
     def test_version_of_the_debian_packages(self):
