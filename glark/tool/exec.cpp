@@ -30,9 +30,11 @@ const std::vector<OtherCommand> commands {
        "The edit of a sampling, on the whole scan: glark transfer LARGE --from SMALL --to EDITED -o OUT"},
       {"edit", scan, "Edit a scan of any size by its sampling: glark edit SCAN [--script FILE] [-o OUT]"},
 #endif
+#if GLARK_HAS_MAPS
+      {"bake", scan, "A coarse mesh with maps of a scan: glark bake LARGE -o MODEL.glb"},
+#endif
 #if GLARK_HAS_SURFEL
       {"strip", scan, "Triangle strips that interpolate points: glark strip FILE -o OUT"},
-      {"bake", scan, "A coarse mesh with maps of a scan: glark bake LARGE -o MODEL.glb"},
       {"view", "glark-view",
        "Show points or triangles in a window, or write a picture: glark view FILE [--offscreen OUT.png]"},
 #endif

@@ -86,6 +86,34 @@ class Commands(CommandCase):
         self.assertIn("no further edge can collapse; 12 triangles are left", self.glark(
             "simplify", cube, "-o", "a.ply", "--target", "3", "--method", "collapse").stderr)
 
+    def test_bake(self):
+        self.needs("bake")
+        self.glark("simplify", self.sphere, "-o", "coarse.ply", "--target", "300")
+        words = ("bake", self.sphere, "--mesh", "coarse.ply", "--texture-memory", "1MB")
+        report = self.report(*words, "-o", "a.glb")
+        self.assertEqual((0, 0), (report["points_left_out"], report["charts_without_points"]))
+        self.assertLessEqual(report["width"] * report["height"] * 5 * 4 / 3, 1 << 20)  # 5 bytes a texel, and the mipmaps
+        self.assertEqual(report["triangles"], self.report("info", "a.glb")["triangles"])
+        self.assertEqual(self.report("info", "coarse.ply")["triangles"], report["triangles"])
+        picture = (self.path / "a.displacement.png").read_bytes()
+        self.assertEqual((b"\x89PNG", report["width"], 16), (picture[:4], int.from_bytes(picture[16:20], "big"), picture[24]))
+        for threads in ("1", "3"):
+            self.glark(*words, "-o", "a.glb", "--threads", threads)
+            self.assertEqual(picture, (self.path / "a.displacement.png").read_bytes())
+        points, _ = sphere(40)
+        (self.path / "points.xyz").write_text("".join("%g %g %g %g %g %g\n" % (*point, *point) for point in points))
+        for file in (self.sphere, "points.xyz"):  # without --mesh: fewer triangles, or strips of samples
+            coarse = self.report("bake", file, "-o", "b.glb", "--triangles", "500")["triangles"]
+            self.assertTrue(300 < coarse <= 500, coarse)
+        self.assertIn("--reach takes in points farther away", self.glark(*words, "-o", "a.glb", "--reach", "1e-3").stderr)
+        for more, status, text in ((("-o", "a.ply"), 1, "give a name that ends with .glb"),
+                                   (("-o", "c.glb", "--reach", "-1"), 2, "--reach"),
+                                   (("-o", "c.glb", "--texels-per-point", "65"), 1, "--texels-per-point is 65"),
+                                   (("-o", "c.glb", "--mesh", "points.xyz"), 1, "it has no triangles")):
+            words = ("bake", self.sphere, *(() if "--mesh" in more else ("--mesh", "coarse.ply")))
+            self.assertIn(text, self.glark(*words, *more, status=status).stderr)
+        self.assertFalse((self.path / "c.glb").exists())
+
     def test_any_number_of_threads_gives_the_same(self):
         for command in ("simplify", "strip", "reconstruct"):
             if command not in self.has:

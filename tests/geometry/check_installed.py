@@ -23,7 +23,7 @@ class Installed(unittest.TestCase):
             (path / "points.xyz").write_text("\n".join(rows))
             plain = {key: value for key, value in os.environ.items() if key != "LD_LIBRARY_PATH"}
             commands = subprocess.run([path / "prefix/bin/glark", "--help"], capture_output=True, text=True).stdout
-            for line in ("info points.xyz", "simplify points.xyz -o out.ply --target 20", "strip points.xyz -o out.ply",
+            for line in ("info points.xyz", "simplify points.xyz -o out.ply --target 20", "strip points.xyz -o out.ply", "bake points.xyz -o out.glb",
                          "view points.xyz --offscreen out.png"):
                 if f"  {line.split()[0]} " not in commands:
                     continue

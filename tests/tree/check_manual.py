@@ -44,7 +44,7 @@ class Manual(unittest.TestCase):
         """Every command that was built has its options in the manual page."""
         listed = subprocess.run([GLARK, "--help"], check=True, capture_output=True, text=True).stdout
         page = plain(text_of(SCAN_PAGE))
-        for command in ("simplify", "strip", "reconstruct", "sample", "transfer", "edit", "view"):
+        for command in ("simplify", "strip", "reconstruct", "sample", "transfer", "edit", "bake", "view"):
             if not re.search(rf"^  {command} ", listed, re.MULTILINE):
                 continue
             help_text = subprocess.run([GLARK, command, "--help"], check=True, capture_output=True, text=True).stdout
