@@ -104,6 +104,7 @@ auto without_gil(const Step& step) {
 
 void bind_depth(py::module_& module);
 void bind_files(py::module_& module);
+void bind_maps(py::module_& module);
 void bind_pn(py::module_& module);
 void bind_qas(py::module_& module);
 void bind_reconstruct(py::module_& module);

@@ -41,6 +41,7 @@ PYBIND11_MODULE(_glark, module) {
   glark::python::bind_vstree(module);
   glark::python::bind_reconstruct(module);
   glark::python::bind_stream(module);
+  glark::python::bind_maps(module);
   glark::python::bind_surfel(module);
   glark::python::bind_qas(module);
   glark::python::bind_pn(module);

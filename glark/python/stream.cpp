@@ -6,9 +6,8 @@
 #include <filesystem>
 #include <mutex>
 
-#include "glark/clients/geometry/geometry.h"
-#include "glark/python/arrays.h"
 #include "glark/python/bound_class.h"
+#include "glark/python/scan_files.h"
 #include "glark/python/text.h"
 
 namespace glark::python {
@@ -19,24 +18,6 @@ namespace {
 
 using stream::SampledCell;
 using stream::SampleReport;
-
-// Runs a step without the interpreter's lock. What is wrong with a file becomes FileError.
-template <class Step>
-auto with_files(const Step& step) {
-  try {
-    return without_gil(step);
-  } catch (const stream::Error& error) {
-    if (error.element() != stream::Element::file) throw;
-    throw geometry::Error(error.what());
-  }
-}
-
-// Lets Ctrl-C end a computation: what throws here goes through the library, which leaves nothing half-written. Only the
-// main thread of Python handles signals; in others, nothing happens.
-void stop_for_signals(double) {
-  const py::gil_scoped_acquire locked;
-  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-}
 
 // A format such as raw has no normals. The C++ library says so by the schema of its writer.
 void warn_without_normals(const fs::path& file) {

@@ -5,7 +5,7 @@ import unittest
 
 import glark
 
-SUBMODULES = (glark.depth, glark.pn, glark.qas, glark.surfel, glark.vstree)
+SUBMODULES = (glark.depth, glark.maps, glark.pn, glark.qas, glark.surfel, glark.vstree)
 MESSAGE = "its __init__ was not called"
 
 

@@ -16,11 +16,11 @@ import sys
 
 from . import _glark
 from ._glark import ArgumentError, FileError, Geometry, Reconstructed, __version__, read, reconstruct, write
-from ._glark import depth, pn, qas, stream, surfel, vstree
+from ._glark import depth, maps, pn, qas, stream, surfel, vstree
 
-for _module in (depth, pn, qas, stream, surfel, vstree):
+for _module in (depth, maps, pn, qas, stream, surfel, vstree):
     _module.__name__ = f"glark.{_module.__name__.rpartition('.')[2]}"
     sys.modules[_module.__name__] = _module  # so that `import glark.vstree` works
 
-__all__ = ["ArgumentError", "FileError", "Geometry", "Reconstructed", "read", "reconstruct", "write", "depth", "pn", "qas",
-           "stream", "surfel", "vstree"]
+__all__ = ["ArgumentError", "FileError", "Geometry", "Reconstructed", "read", "reconstruct", "write", "depth", "maps",
+           "pn", "qas", "stream", "surfel", "vstree"]

@@ -6,7 +6,7 @@ from typing import Optional, Tuple, Union
 import numpy
 from numpy.typing import ArrayLike, NDArray
 
-from . import depth as depth, pn as pn, qas as qas, stream as stream, surfel as surfel, vstree as vstree
+from . import depth as depth, maps as maps, pn as pn, qas as qas, stream as stream, surfel as surfel, vstree as vstree
 
 Floats = NDArray[numpy.float32]
 Indices = NDArray[numpy.uint32]
