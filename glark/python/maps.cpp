@@ -178,8 +178,8 @@ void bind_bake(py::module_& module) {
       "bake",
       [](const Array<float>& positions, const Array<std::uint32_t>& triangles, const py::object& source,
          const OptionalArray<float>& normals, const std::array<double, 3>& origin, const std::string& format,
-         const Whole<std::size_t>& texture_memory, const Whole<unsigned>& most_side, double texels_per_point,
-         double reach, bool skip_invalid, const Whole<unsigned>& threads) {
+         const Whole<std::size_t>& texture_memory, const Whole<unsigned>& most_side, double noise,
+         double texels_per_point, double reach, bool skip_invalid, const Whole<unsigned>& threads) {
         const maps::CoarseMesh mesh{.origin = origin,
                                     .positions = rows(positions, 3, "positions"),
                                     .normals = rows(normals, 3, "normals"),
@@ -187,6 +187,7 @@ void bind_bake(py::module_& module) {
         maps::BakeOptions options;
         options.texture_memory = texture_memory.checked("texture_memory");
         options.most_side = most_side.checked("most_side");
+        options.noise = noise;
         options.texels_per_point = texels_per_point;
         options.reach = reach;
         options.skip_invalid = skip_invalid;
@@ -198,6 +199,7 @@ void bind_bake(py::module_& module) {
       py::arg("positions"), py::arg("triangles"), py::arg("source"), py::kw_only(), py::arg("normals") = py::none(),
       py::arg("origin") = std::array<double, 3>{}, py::arg("format") = "",
       py::arg("texture_memory") = defaults.texture_memory, py::arg("most_side") = defaults.most_side,
+      py::arg("noise") = defaults.noise,
       py::arg("texels_per_point") = defaults.texels_per_point, py::arg("reach") = defaults.reach,
       py::arg("skip_invalid") = false, py::arg("threads") = 0,
       "Bake the appearance of `source` into a normal map, a colour map and a displacement map of a coarse mesh.\n\n"
@@ -206,6 +208,7 @@ void bind_bake(py::module_& module) {
       "default those of the triangles. origin: added to all positions.\n"
       "source: the name of a scan of any size, in `format` or that of the name; or a FineMesh.\n"
       "texture_memory: bytes of all maps with their mipmaps. most_side: the greatest width and height.\n"
+      "noise: the root mean square noise of the points; texels are 3.5 times as wide or more.\n"
       "reach: points farther from the mesh are left out; 0: by the distances of the points.");
 }
 

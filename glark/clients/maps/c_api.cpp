@@ -77,6 +77,7 @@ maps::BakeOptions options_of(const glark_maps_options* given) {
   if (given == nullptr) return options;
   options.texture_memory = given->texture_memory;
   options.most_side = given->most_side;
+  options.noise = given->noise;
   options.texels_per_point = given->texels_per_point;
   options.reach = given->reach;
   options.skip_invalid = given->skip_invalid;
@@ -96,7 +97,7 @@ glark_maps_jump jump_of(const maps::Jump& jump) { return {jump.greatest, jump.ro
 
 glark_maps_options glark_maps_default_options(void) {
   const maps::BakeOptions options;
-  return {options.texture_memory, options.most_side,    options.texels_per_point,
+  return {options.texture_memory, options.most_side,    options.noise,  options.texels_per_point,
           options.reach,          options.skip_invalid, options.threads};
 }
 

@@ -155,6 +155,11 @@ void run(const Bake& command) {
 }
 
 void describe(CLI::App& command, Bake& bake) {
+  command
+      .add_option("-o,--output", bake.files.output,
+                  "The model to write, .glb. Its displacement map is written beside it")
+      ->type_name("MODEL.glb")
+      ->required();
   command.add_option("--mesh", bake.mesh, "The coarse mesh; default: a mesh or reconstruction with fewer triangles, or strips of samples of large scans")
       ->type_name("COARSE");
   command
@@ -187,7 +192,6 @@ void add_bake(CLI::App& app) {
   CLI::App* command = app.add_subcommand("bake", "Bake the appearance of a scan or a fine mesh onto a coarse mesh");
   const auto bake = std::make_shared<Bake>();
   describe_input(*command, bake->files, {"las", "raw"});
-  describe_output(*command, bake->files);
   describe(*command, *bake);
   describe_memory(*command, bake->memory);
   describe_threads(*command, bake->coarse.threads);
