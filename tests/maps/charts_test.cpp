@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <string>
 
 #include "glark/clients/maps/atlas/atlas.h"
 #include "glark/clients/maps/charts/segmentation.h"
@@ -49,10 +50,22 @@ Atlas atlas_of(const std::vector<Chart>& charts, const Surface& surface, double 
   return pack(charts, surface, wanted, {.most_texels = 1U << 24U, .most_side = 4096});
 }
 
-class Segmentation : public testing::TestWithParam<Sphere> {};
+enum class Shape { sphere, bumps, ramp };
+
+class Segmentation : public testing::TestWithParam<Shape> {
+ protected:
+  static Sphere shape() {
+    switch (GetParam()) {
+      case Shape::sphere: return sphere_of(3, false);
+      case Shape::bumps: return sphere_of(4, true);
+      case Shape::ramp: break;
+    }
+    return spiral_ramp();
+  }
+};
 
 TEST_P(Segmentation, GivesEachTriangleToOneChartThatDoesNotCoverItself) {
-  const Surface surface = surface_of(GetParam().coarse());
+  const Surface surface = surface_of(shape().coarse());
   const std::vector<Chart> charts = segment(surface);
   std::vector<int> charts_of_triangle(surface.triangles.size());
   const Atlas atlas = atlas_of(charts, surface, 200000);
@@ -67,13 +80,18 @@ TEST_P(Segmentation, GivesEachTriangleToOneChartThatDoesNotCoverItself) {
 }
 
 TEST_P(Segmentation, MakesFewCharts) {
-  const Surface surface = surface_of(GetParam().coarse());
+  const Surface surface = surface_of(shape().coarse());
   EXPECT_LE(segment(surface).size(), 24U);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, Segmentation, testing::Values(sphere_of(3, false), sphere_of(4, true), spiral_ramp()));
+std::string name_of(const testing::TestParamInfo<Shape>& shape) {
+  if (shape.param == Shape::sphere) return "Sphere";
+  return shape.param == Shape::bumps ? "Bumps" : "Ramp";
+}
 
-TEST(Segmentation, CutsARampThatWindsOverItself) {
+INSTANTIATE_TEST_SUITE_P(Shapes, Segmentation, testing::Values(Shape::sphere, Shape::bumps, Shape::ramp), name_of);
+
+TEST(SegmentationOfARamp, CutsWhereItWindsOverItself) {
   EXPECT_GT(segment(surface_of(spiral_ramp().coarse())).size(), 1U);
 }
 
