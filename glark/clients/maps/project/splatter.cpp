@@ -8,6 +8,19 @@
 #include <numeric>
 
 namespace glark::maps {
+namespace {
+
+// The value of a colour that is white.
+double white_of(stream::Number type) {
+  switch (type) {
+    case stream::Number::uint16: return 65535;
+    case stream::Number::float32:
+    case stream::Number::float64: return 1;
+    default: return 255;
+  }
+}
+
+}  // namespace
 
 SampleStream::SampleStream(const stream::Source& source, const std::array<double, 3>& origin, bool skip_invalid)
     : reader_(source.open({.format = {}, .normals = true, .channels = true, .keep_invalid = true})),
@@ -35,8 +48,7 @@ bool SampleStream::next(std::size_t most, std::vector<Sample>& samples) {
   if (count == 0) return false;
   samples.reserve(count);
   const std::size_t channels = reader_->schema().channels.size();
-  const bool is_wide = has_colours_ && reader_->schema().channels[colour_channels_[0]].type == stream::Number::uint16;
-  const double full = is_wide ? 65535 : 255;
+  const double white = has_colours_ ? white_of(reader_->schema().channels[colour_channels_[0]].type) : 1;
   for (std::size_t i = 0; i < count; ++i) {
     const double* p = points.positions.data() + 3 * i;
     if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) {
@@ -54,7 +66,7 @@ bool SampleStream::next(std::size_t most, std::vector<Sample>& samples) {
       sample.normal = common::unit(Vector{points.normals[3 * i], points.normals[3 * i + 1], points.normals[3 * i + 2]});
     if (has_colours_)
       for (std::size_t k = 0; k < 3; ++k)
-        sample.colour[k] = static_cast<float>(points.channels[channels * i + colour_channels_[k]] / full);
+        sample.colour[k] = static_cast<float>(points.channels[channels * i + colour_channels_[k]] / white);
   }
   read_ += count;
   return true;
