@@ -341,8 +341,15 @@ def uniform_body(command, real):
     twin = command.canonical.member if of_program else f"Program{command.canonical.member}"
     values = ", ".join(names[2:] if of_program else names[1:])
     mirrors = f"state.programs().mirrors(state.bindings(){', ' + names[0] if of_program else ''})"
+    handles = []
+    if "Handleui64" in command.name:  # GL cannot be asked for them
+        array = names[-2:] if names[-2] == "count" else ["1", f"&{names[-1]}"]
+        arguments = ", ".join([*([names[0]] if of_program else []), "location", *array])
+        handles = ["if (here.context != nullptr && !here.context->state().lists().compiling()) "
+                   f"here.context->state().programs().set_handles(here.context->state().bindings(), {arguments});"]
     # Rare work stands in a function of its own, so that the usual call is a jump.
     return [
+        *handles,
         f"if (here.context == nullptr || (!here.context->state().programs().mirroring() && !here.context->state().lists().compiling() && location < glark::core::virtual_location_base)) "
         f"{{ {real}; return; }}",
         "[=, &here]() __attribute__((noinline, cold)) {",

@@ -85,7 +85,7 @@ void DerivedPrograms::copy_stale_uniforms(Program& owner) const {
   }
   ErrorScope errors(env_.errors);
   for (const UniformMirror& mirror : owner.mirrors) {
-    refine::copy_uniform_values(env_.gl, owner.name, *mirror.derived);
+    refine::copy_uniform_values(env_.gl, owner.name, *mirror.derived, owner.handles);
   }
   owner.uniforms_stale = false;
 }

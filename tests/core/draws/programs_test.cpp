@@ -50,6 +50,20 @@ TEST_P(DrawsPrograms, DoubleMatrixUniformSetBeforeTheFirstDraw) {
   expect_same_scene({4}, draw);
 }
 
+TEST_P(DrawsPrograms, LongIntegersSetBeforeTheFirstDraw) {
+  const GLuint program = link_program(
+      {.vertex = inputs + "out vec3 c;\nvoid main() { gl_Position = vec4(position, 0.0, 1.0); c = color; }\n",
+       .fragment = "#version 430\n#extension GL_ARB_gpu_shader_int64 : require\n"
+                   "uniform int64_t below; uniform u64vec2 above[2]; in vec3 c; out vec4 result;\n"
+                   "void main() { bool right = below == -5000000000L && above[1] == u64vec2(7000000000UL, 3UL);\n"
+                   "  result = vec4(right ? c : vec3(0.0), 1.0); }\n"});
+  const GLuint64 pairs[] = {1, 2, 7000000000, 3};
+  glUseProgram(program);
+  glUniform1i64ARB(glGetUniformLocation(program, "below"), -5000000000);
+  glUniform2ui64vARB(glGetUniformLocation(program, "above"), 2, pairs);
+  expect_same_scene({4, GL_LINEAR_OUTPUTS_ARK}, draw);
+}
+
 // The first refined draw builds its programs while the application's transform feedback is open.
 TEST_P(DrawsPrograms, FirstDrawWhileTransformFeedbackIsPaused) {
   const GLuint recorder = glCreateProgram();

@@ -215,6 +215,9 @@ GLuint ProgramBuilder::compile_and_link(const core::Program& program, const std:
     gl_.TransformFeedbackVaryings(name, 1, &varying, GL_INTERLEAVED_ATTRIBS);
   } else if (settings_of != 0) {
     copy_link_settings(gl_, settings_of, name);
+    if (reads(program, GL_GEOMETRY_SHADER, "_geometry_shader4")) {
+      copy_geometry_parameters(gl_, settings_of, name);
+    }
   }
   return core::link_program(gl_, name, shaders, error) ? name : 0;
 }
@@ -320,7 +323,7 @@ void ProgramBuilder::follow_uniforms(core::Program& program, core::Program* owne
                         *derived);
   if (owner != nullptr) {
     map_uniform_locations(gl_, owner->name, *derived);
-    copy_uniform_values(gl_, owner->name, *derived);
+    copy_uniform_values(gl_, owner->name, *derived, owner->handles);
     copy_block_bindings(gl_, owner->name, derived->name);
     derived->subroutines = map_subroutines(gl_, *owner, derived->name);
     owner->mirrors.push_back({derived->name, derived.get()});

@@ -45,7 +45,7 @@ std::string element_name(const ActiveUniform& uniform, GLint element) {
   return uniform.size == 1 && element == 0 ? uniform.name : uniform.name + "[" + std::to_string(element) + "]";
 }
 
-enum class Scalar { floating, integer, unsigned_integer, boolean_or_sampler, floating_double };
+enum class Scalar { floating, integer, unsigned_integer, boolean_or_sampler, floating_double, integer_64, unsigned_64 };
 
 struct Shape {
   Scalar scalar = Scalar::boolean_or_sampler;
@@ -94,6 +94,14 @@ constexpr ShapeOfType shapes[] = {
     {GL_DOUBLE_MAT3x4, {Scalar::floating_double, 3, 4}},
     {GL_DOUBLE_MAT4x2, {Scalar::floating_double, 4, 2}},
     {GL_DOUBLE_MAT4x3, {Scalar::floating_double, 4, 3}},
+    {GL_INT64_ARB, {Scalar::integer_64, 1, 1}},
+    {GL_INT64_VEC2_ARB, {Scalar::integer_64, 1, 2}},
+    {GL_INT64_VEC3_ARB, {Scalar::integer_64, 1, 3}},
+    {GL_INT64_VEC4_ARB, {Scalar::integer_64, 1, 4}},
+    {GL_UNSIGNED_INT64_ARB, {Scalar::unsigned_64, 1, 1}},
+    {GL_UNSIGNED_INT64_VEC2_ARB, {Scalar::unsigned_64, 1, 2}},
+    {GL_UNSIGNED_INT64_VEC3_ARB, {Scalar::unsigned_64, 1, 3}},
+    {GL_UNSIGNED_INT64_VEC4_ARB, {Scalar::unsigned_64, 1, 4}},
 };
 
 Shape shape_of(GLenum type) {
@@ -177,12 +185,48 @@ void copy_unsigned(const gl::Dispatch& gl, GLuint from, GLint source, GLuint to,
   }
 }
 
+void copy_integers_64(const gl::Dispatch& gl, GLuint from, GLint source, GLuint to, GLint target, const Shape& shape) {
+  std::array<GLint64, 4> value{};
+  if (gl.GetUniformi64vARB == nullptr) {
+    return;  // NV_gpu_shader5 alone
+  }
+  gl.GetUniformi64vARB(from, source, value.data());
+  switch (shape.rows) {
+    case 1: gl.ProgramUniform1i64vARB(to, target, 1, value.data()); break;
+    case 2: gl.ProgramUniform2i64vARB(to, target, 1, value.data()); break;
+    case 3: gl.ProgramUniform3i64vARB(to, target, 1, value.data()); break;
+    default: gl.ProgramUniform4i64vARB(to, target, 1, value.data()); break;
+  }
+}
+
+void copy_unsigned_64(const gl::Dispatch& gl, GLuint from, GLint source, GLuint to, GLint target, const Shape& shape) {
+  std::array<GLuint64, 4> value{};
+  if (gl.GetUniformui64vARB == nullptr) {
+    return;
+  }
+  gl.GetUniformui64vARB(from, source, value.data());
+  switch (shape.rows) {
+    case 1: gl.ProgramUniform1ui64vARB(to, target, 1, value.data()); break;
+    case 2: gl.ProgramUniform2ui64vARB(to, target, 1, value.data()); break;
+    case 3: gl.ProgramUniform3ui64vARB(to, target, 1, value.data()); break;
+    default: gl.ProgramUniform4ui64vARB(to, target, 1, value.data()); break;
+  }
+}
+
+void set_handle(const gl::Dispatch& gl, GLuint program, GLint location, GLuint64 handle) {
+  const auto set =
+      gl.ProgramUniformHandleui64ARB != nullptr ? gl.ProgramUniformHandleui64ARB : gl.ProgramUniformHandleui64NV;
+  set(program, location, handle);
+}
+
 void copy_value(const gl::Dispatch& gl, GLuint from, GLint source, GLuint to, GLint target, GLenum type) {
   const Shape shape = shape_of(type);
   switch (shape.scalar) {
     case Scalar::floating: copy_floats(gl, from, source, to, target, shape); break;
     case Scalar::floating_double: copy_doubles(gl, from, source, to, target, shape); break;
     case Scalar::unsigned_integer: copy_unsigned(gl, from, source, to, target, shape); break;
+    case Scalar::integer_64: copy_integers_64(gl, from, source, to, target, shape); break;
+    case Scalar::unsigned_64: copy_unsigned_64(gl, from, source, to, target, shape); break;
     case Scalar::integer:
     case Scalar::boolean_or_sampler: copy_integers(gl, from, source, to, target, shape); break;
   }
@@ -248,6 +292,16 @@ void copy_link_settings(const gl::Dispatch& gl, GLuint from, GLuint to) {
   copy_feedback_varyings(gl, from, to);
 }
 
+void copy_geometry_parameters(const gl::Dispatch& gl, GLuint from, GLuint to) {
+  for (const GLenum name : {GL_GEOMETRY_INPUT_TYPE_ARB, GL_GEOMETRY_OUTPUT_TYPE_ARB, GL_GEOMETRY_VERTICES_OUT_ARB}) {
+    GLint value = -1;
+    gl.GetProgramiv(from, name, &value);
+    if (value >= 0) {
+      gl.ProgramParameteri(to, name, value);
+    }
+  }
+}
+
 void map_uniform_locations(const gl::Dispatch& gl, GLuint from, core::DerivedProgram& derived) {
   derived.location_of.clear();
   for (const ActiveUniform& uniform : active_uniforms(gl, from)) {
@@ -265,7 +319,8 @@ void map_uniform_locations(const gl::Dispatch& gl, GLuint from, core::DerivedPro
   }
 }
 
-void copy_uniform_values(const gl::Dispatch& gl, GLuint from, const core::DerivedProgram& derived) {
+void copy_uniform_values(const gl::Dispatch& gl, GLuint from, const core::DerivedProgram& derived,
+                         const std::map<GLint, GLuint64>& handles) {
   for (const ActiveUniform& uniform : active_uniforms(gl, from)) {
     for (GLint element = 0; element < uniform.size; ++element) {
       const GLint source = gl.GetUniformLocation(from, element_name(uniform, element).c_str());
@@ -273,7 +328,9 @@ void copy_uniform_values(const gl::Dispatch& gl, GLuint from, const core::Derive
         continue;
       }
       const GLint target = derived.location_of[static_cast<std::size_t>(source)];
-      if (target >= 0) {
+      if (const auto handle = handles.find(source); target >= 0 && handle != handles.end()) {
+        set_handle(gl, derived.name, target, handle->second);
+      } else if (target >= 0) {
         copy_value(gl, from, source, derived.name, target, uniform.type);
       }
     }

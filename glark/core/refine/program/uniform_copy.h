@@ -4,6 +4,7 @@
 // Makes the uniforms, blocks and outputs of a derived program agree with the application's program.
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,9 @@ namespace glark::refine {
 // Before linking: separability, fragment output locations and transform feedback varyings of `from`, set on `to`.
 void copy_link_settings(const gl::Dispatch& gl, GLuint from, GLuint to);
 
+// Before linking, if a geometry shader is written for ARB_geometry_shader4: the parameters that stand for its layouts.
+void copy_geometry_parameters(const gl::Dispatch& gl, GLuint from, GLuint to);
+
 // After linking: fills derived.location_of.
 void map_uniform_locations(const gl::Dispatch& gl, GLuint from, core::DerivedProgram& derived);
 
@@ -24,8 +28,10 @@ void map_uniform_locations(const gl::Dispatch& gl, GLuint from, core::DerivedPro
 void copy_virtual_uniforms(const gl::Dispatch& gl, const std::vector<std::string>& names,
                            const core::DerivedProgram* other, core::DerivedProgram& derived);
 
-// Values of all uniforms outside blocks, and the bindings of uniform and storage blocks.
-void copy_uniform_values(const gl::Dispatch& gl, GLuint from, const core::DerivedProgram& derived);
+// Values of all uniforms outside blocks, and the bindings of uniform and storage blocks. `handles`: those of bindless
+// textures and images, by location in `from`; GL cannot be asked for them.
+void copy_uniform_values(const gl::Dispatch& gl, GLuint from, const core::DerivedProgram& derived,
+                         const std::map<GLint, GLuint64>& handles = {});
 // The names of all uniforms of the default block, element by element. Nothing if the program has a uniform that is no
 // number, that is built in, or that lies in a block; `but` may be anything.
 std::optional<std::vector<std::string>> plain_uniforms(const gl::Dispatch& gl, GLuint program, const std::string& but);

@@ -46,9 +46,15 @@ struct SegmentEffects {
   bool late = false;           // a vertex after the first sets more attributes or components than those before
   bool touches_state = false;  // it sets state that refined draws depend on
   bool draws_shapes = false;   // it draws rectangles or evaluator meshes that are not refined
+  bool draws_others = false;   // it draws points or lines
   bool changes_uniforms = false;
   SegmentMaterials materials;
 
+  // None of these effects. GL may have compiled calls that are not followed.
+  bool none() const {
+    return values.empty() && !opaque && !touches_state && !draws_shapes && !draws_others && !changes_uniforms &&
+           !materials.set;
+  }
   // A current value changes in a way that is not followed.
   void record_unknown(bool before_vertices) {
     opaque = true;

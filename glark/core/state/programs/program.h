@@ -65,6 +65,7 @@ struct Program {
   bool counts_primitives = false;             // a stage mentions gl_PrimitiveID
   ProgramCounters* counters = nullptr;        // valid if prepared
   unsigned told_notes = 0;                    // note_bits() of the notes that were told
+  std::map<GLint, GLuint64> handles;          // by location: bindless textures and images that uniforms name
   bool uniforms_stale = false;  // a display list changed uniforms: copy all values before the next refined draw
 
   bool has_stage(GLenum stage) const {

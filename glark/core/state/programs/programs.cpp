@@ -100,6 +100,31 @@ LockedMirrors Programs::mirrors(const Bindings& bindings, GLuint program) const 
   return known != nullptr ? LockedMirrors(std::move(known), gl_, bindings.debug_output) : LockedMirrors();
 }
 
+namespace {
+
+void note_handles(Program& program, GLint location, GLsizei count, const GLuint64* values) {
+  const std::lock_guard lock(program.mutex);
+  for (GLsizei i = 0; i < count && location >= 0 && values != nullptr; ++i) {
+    program.handles[location + i] = values[i];
+  }
+}
+
+}  // namespace
+
+void Programs::set_handles(const Bindings& bindings, GLint location, GLsizei count, const GLuint64* values) {
+  if (current_ != nullptr) {
+    note_handles(*current_, location, count, values);
+  } else if (bindings.program == 0 && bindings.pipeline != 0) {
+    set_handles(bindings, pipelines_.object(bindings.pipeline).active, location, count, values);
+  }
+}
+
+void Programs::set_handles(const Bindings&, GLuint program, GLint location, GLsizei count, const GLuint64* values) {
+  if (const std::shared_ptr<Program> known = find(program); known != nullptr) {
+    note_handles(*known, location, count, values);
+  }
+}
+
 std::vector<StageSource> Programs::read_stages(GLuint program) const {
   GLint count = 0;
   gl_.GetProgramiv(program, GL_ATTACHED_SHADERS, &count);
@@ -175,6 +200,7 @@ void Programs::linked(GLuint name, std::vector<StageSource> stages) {
   gl_.GetProgramiv(name, GL_LINK_STATUS, &linked);
   program->linked = linked != GL_FALSE;
   program->subroutines_asked = false;
+  program->handles.clear();
   subroutines_.forget();
 }
 

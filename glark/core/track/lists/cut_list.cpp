@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "glark/core/objects/error_scope.h"
 #include "glark/core/track/lists/list_names.h"
 #include "glark/core/track/lists/lists.h"
 #include "glark/core/track/track.h"
@@ -55,6 +56,13 @@ void execute_last(Context& c) {
   if (last.kind == ListSegment::Kind::call) track::follow_stack(c, last.list);
   if (last.kind == ListSegment::Kind::call_offset) track::follow_stack(c, track::list_base(c) + last.list);
   lists.set_compiling(true);
+}
+
+// Returns the error that GL raises at once.
+GLenum issue(Context& c, const DrawCall& call) {
+  ErrorScope errors(c.pending_error());
+  call.issue();
+  return errors.take();
 }
 
 // The draw of the glBegin..glEnd that has just ended.
@@ -128,7 +136,12 @@ void record_draw(Context& c, const DrawCall& call) {
   c.gl().GetVertexAttribiv(c.ark().tag_attribute, GL_VERTEX_ATTRIB_ARRAY_ENABLED, &tag_array);
   close_segment(c, {});
   open_segment(c, GL_COMPILE);
-  call.issue();
+  if (const GLenum error = issue(c, call); error != GL_NO_ERROR) {  // GL does not compile this command
+    c.pending_error().raise(error);
+    close_segment(c, {});
+    open_segment(c, c.state().lists().mode());
+    return;
+  }
   close_segment(c, {.kind = ListSegment::Kind::draw,
                     .mode = call.mode,
                     .triangles = call.exact ? call.triangles : joined * (call.triangles + 2),
@@ -151,6 +164,8 @@ bool list_begin(Context& c, GLenum mode) {
   if (is_triangle_mode(mode)) {
     close_segment(c, {});
     open_segment(c, GL_COMPILE);
+  } else {
+    lists.effects().draws_others = true;
   }
   c.gl().Begin(mode);
   return true;
@@ -228,6 +243,9 @@ void NewList(Context& c, GLuint name, GLenum mode) {
   if (!valid) {
     c.gl().NewList(name, mode);  // raises the error
     return;
+  }
+  if (c.stages() != nullptr) {
+    c.state().refresh();  // while the list is compiled, this would count as a change of state
   }
   lists.begin(name, mode, c.stages() != nullptr && (c.options().transparent || c.ark().pool_level >= 0));
   c.state().immediate().restart_counts();

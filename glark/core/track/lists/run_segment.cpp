@@ -17,6 +17,20 @@ bool materials_unknown(Context& c, const SegmentMaterials& materials) {
   return !replaces_fixed_function(c) || (materials.inherited() && c.gl().IsEnabled(GL_LIGHTING) != GL_FALSE);
 }
 
+// NVIDIA (580) refuses to call an empty list during transform feedback that is not paused.
+void call_without_feedback(Context& c, GLuint list) {
+  c.state().refresh();
+  const TransformFeedbackBindings& feedback = c.state().bindings().transform_feedback;
+  const bool pause = feedback.active && !feedback.paused && !feedback.ours;
+  if (pause) {
+    c.gl().PauseTransformFeedback();
+  }
+  c.gl().CallList(list);
+  if (pause) {
+    c.gl().ResumeTransformFeedback();
+  }
+}
+
 }  // namespace
 
 void apply_effects(Context& c, const SegmentEffects& effects) {
@@ -38,6 +52,10 @@ void forget_uniforms(Context& c) {
 void run_state(Context& c, const ListSegment& segment) {
   if (segment.effects.draws_shapes) {
     track::hand_back_feedback(c);
+  }
+  if (segment.effects.none()) {
+    call_without_feedback(c, segment.list);
+    return;
   }
   c.gl().CallList(segment.list);
   if (segment.effects.touches_state) {
