@@ -199,9 +199,8 @@ void bind_bake(py::module_& module) {
       py::arg("positions"), py::arg("triangles"), py::arg("source"), py::kw_only(), py::arg("normals") = py::none(),
       py::arg("origin") = std::array<double, 3>{}, py::arg("format") = "",
       py::arg("texture_memory") = defaults.texture_memory, py::arg("most_side") = defaults.most_side,
-      py::arg("noise") = defaults.noise,
-      py::arg("texels_per_point") = defaults.texels_per_point, py::arg("reach") = defaults.reach,
-      py::arg("skip_invalid") = false, py::arg("threads") = 0,
+      py::arg("noise") = defaults.noise, py::arg("texels_per_point") = defaults.texels_per_point,
+      py::arg("reach") = defaults.reach, py::arg("skip_invalid") = false, py::arg("threads") = 0,
       "Bake the appearance of `source` into a normal map, a colour map and a displacement map of a coarse mesh.\n\n"
       "positions: (vertices, 3). triangles: (triangles, 3), counter-clockwise from outside. normals: (vertices, 3); "
       "by\n"

@@ -41,10 +41,10 @@ class GLARK_EXPORT Error : public ElementError<Element> {
 
 // The mesh that gets the maps. The caller owns the arrays. Vertices at one position count as one vertex.
 struct CoarseMesh {
-  std::array<double, 3> origin{};                // added to all positions
-  std::span<const float> positions = {};         // [3 * vertices]
-  std::span<const float> normals = {};           // [3 * vertices], of any length; empty: those of the triangles
-  std::span<const std::uint32_t> triangles = {}; // [3 * triangles], counter-clockwise from outside
+  std::array<double, 3> origin{};                 // added to all positions
+  std::span<const float> positions = {};          // [3 * vertices]
+  std::span<const float> normals = {};            // [3 * vertices], of any length; empty: those of the triangles
+  std::span<const std::uint32_t> triangles = {};  // [3 * triangles], counter-clockwise from outside
 };
 
 // A fine mesh. The caller owns the arrays, which must live as long as sources of it.
@@ -62,16 +62,16 @@ GLARK_EXPORT stream::Source mesh_source(const FineMesh& mesh, double spacing);
 
 struct BakeOptions {
   std::size_t texture_memory = std::size_t{128} << 20;  // bytes, of all maps with their mipmap levels; 1 MiB or more
-  unsigned most_side = 16384;      // the greatest width and height of the maps, 64 to 32768
+  unsigned most_side = 16384;                           // the greatest width and height of the maps, 64 to 32768
   // The root mean square noise of the points, in their unit. A texel is at least 3.5 times as wide, so that points of
   // several layers are averaged; 0: points are exact.
   double noise = 0;
-  double texels_per_point = 2;     // the most texels of the surface for each point, above 0 to 64
+  double texels_per_point = 2;  // the most texels of the surface for each point, above 0 to 64
   // Points farther from the coarse mesh are left out, in the unit of the positions. 0: six times the root mean square
   // distance of the points, between a quarter of the mean coarse edge and two edges.
   double reach = 0;
-  bool skip_invalid = false;       // leaves out points whose coordinates are not finite, instead of Error
-  unsigned threads = 0;            // the most threads; 0: as many as the machine has
+  bool skip_invalid = false;  // leaves out points whose coordinates are not finite, instead of Error
+  unsigned threads = 0;       // the most threads; 0: as many as the machine has
   // Receives the finished fraction of the work, 0 to 1, in the calling thread. If it throws, the work ends with this
   // exception.
   std::function<void(double fraction)> progress = {};
@@ -103,9 +103,9 @@ struct Baked {
   std::vector<std::uint16_t> displacement_map;  // [width * height]
   float scale = 0, bias = 0;                    // 65535 in the displacement map is the height scale + bias
 
-  std::uint64_t points = 0;    // that were read
-  std::uint64_t left_out = 0;  // points that are beyond the reach, or face away from all triangles nearby
-  std::uint64_t invalid = 0;   // points whose coordinates are not finite
+  std::uint64_t points = 0;                  // that were read
+  std::uint64_t left_out = 0;                // points that are beyond the reach, or face away from all triangles nearby
+  std::uint64_t invalid = 0;                 // points whose coordinates are not finite
   std::size_t charts = 0, empty_charts = 0;  // charts, and those without any point
   std::uint64_t texels = 0, filled = 0;      // texels of charts, and those that got their values by diffusion
   double reach = 0;                          // the reach that was used

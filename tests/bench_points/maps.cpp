@@ -85,16 +85,15 @@ std::vector<Cell> row_of(const Case& given, const Settings& settings) {
   const Mesh coarse = simplified(fine);
   const double spacing = diagonal_of(scan.positions) / 1500;
   const stream::Source source =
-      given.is_mesh ? maps::mesh_source({.positions = scan.positions, .normals = scan.normals, .triangles = scan.triangles},
-                                        spacing)
+      given.is_mesh ? maps::mesh_source(
+                          {.positions = scan.positions, .normals = scan.normals, .triangles = scan.triangles}, spacing)
                     : maps::mesh_source({.positions = scan.positions, .normals = scan.normals}, 1);
   maps::Baked model;
-  std::vector<Work> works{{"bake", [&] {
-                             model = maps::bake({.positions = coarse.positions,
-                                                 .normals = coarse.normals,
-                                                 .triangles = coarse.triangles},
-                                                source, {.noise = coarse.noise, .threads = 1});
-                           }}};
+  std::vector<Work> works{
+      {"bake", [&] {
+         model = maps::bake({.positions = coarse.positions, .normals = coarse.normals, .triangles = coarse.triangles},
+                            source, {.noise = coarse.noise, .threads = 1});
+       }}};
   take_turns(works, std::min(settings.rounds, 3));
   const std::vector<float> samples =
       given.is_mesh ? samples_of(scan.positions, scan.triangles, sample_count) : scan.positions;
@@ -118,15 +117,18 @@ std::vector<Cell> row_of(const Case& given, const Settings& settings) {
 
 std::vector<Table> map_tables(const Settings& settings) {
   Table table{"Appearance maps of 20 000 triangles, on one core",
-              {"", "points", "CPU s", "M points/s", "M texels", "peak MB", "charts", "coarse mesh: RMS %", "displaced: RMS %",
-               "reconstruction: RMS %", "seams: colour of 255", "seams: normals, RMS degrees"},
+              {"", "points", "CPU s", "M points/s", "M texels", "peak MB", "charts", "coarse mesh: RMS %",
+               "displaced: RMS %", "reconstruction: RMS %", "seams: colour of 255", "seams: normals, RMS degrees"},
               {}};
-  for (const Case& given : {Case{"igea", true}, Case{"horse", true}, Case{"armadillo", true}, Case{"bunny_scans", false},
-                            Case{"dragon_stand_scans", false}, Case{"happy_stand_scans", false}})
+  for (const Case& given :
+       {Case{"igea", true}, Case{"horse", true}, Case{"armadillo", true}, Case{"bunny_scans", false},
+        Case{"dragon_stand_scans", false}, Case{"happy_stand_scans", false}})
     table.rows.push_back(row_of(given, settings));
   table.note =
-      "The whole of bake(): charts, both passes over the points, diffusion, seams, maps. RMS is the distance of samples of "
-      "the mesh, or of all points of raw scans, from the surface, relative to the diagonal. Table 6.5 of the thesis has 250 M "
+      "The whole of bake(): charts, both passes over the points, diffusion, seams, maps. RMS is the distance of "
+      "samples of "
+      "the mesh, or of all points of raw scans, from the surface, relative to the diagonal. Table 6.5 of the thesis "
+      "has 250 M "
       "points in 890 s for filling and 170 s for diffusion (0.28 and 1.5 M points/s).";
   return {table};
 }

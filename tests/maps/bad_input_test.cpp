@@ -19,7 +19,9 @@ const float nan = std::numeric_limits<float>::quiet_NaN();
 
 class BadInput : public testing::Test {
  protected:
-  Baked bake_it(const BakeOptions& options = {}) const { return bake(coarse_, mesh_source(sphere_.fine(), 1), options); }
+  Baked bake_it(const BakeOptions& options = {}) const {
+    return bake(coarse_, mesh_source(sphere_.fine(), 1), options);
+  }
   void expect_error(Element element, std::size_t index, const BakeOptions& options = {}) const {
     try {
       bake_it(options);
@@ -82,7 +84,8 @@ TEST_F(BadInput, NoPointNearTheMesh) {
 TEST_F(BadInput, TextureMemoryForFewerCharts) {
   Sphere dust;  // so many separate triangles that their gutters alone need more
   for (std::uint32_t i = 0; i < 20000; ++i) {
-    const float x = static_cast<float>(i % 200), y = static_cast<float>(i / 200);
+    const std::uint32_t row = i / 200;
+    const float x = static_cast<float>(i % 200), y = static_cast<float>(row);
     dust.positions.insert(dust.positions.end(), {x, y, 0, x + 0.5F, y, 0, x, y + 0.5F, 0});
     dust.triangles.insert(dust.triangles.end(), {3 * i, 3 * i + 1, 3 * i + 2});
   }

@@ -88,7 +88,8 @@ TEST(Bake, TangentsAreOrthogonalToNormalsAndFollowTheTexture) {
     const std::size_t a = model.triangles[t], b = model.triangles[t + 1], c = model.triangles[t + 2];
     const auto edge = vector(model.positions, 3, b) - vector(model.positions, 3, a);
     const auto other = vector(model.positions, 3, c) - vector(model.positions, 3, a);
-    const float s1 = model.texcoords[2 * b] - model.texcoords[2 * a], s2 = model.texcoords[2 * c] - model.texcoords[2 * a];
+    const float s1 = model.texcoords[2 * b] - model.texcoords[2 * a],
+                s2 = model.texcoords[2 * c] - model.texcoords[2 * a];
     const float t1 = model.texcoords[2 * b + 1] - model.texcoords[2 * a + 1];
     const float t2 = model.texcoords[2 * c + 1] - model.texcoords[2 * a + 1];
     // The first row of a picture is the highest. So t grows downwards, and a triangle from outside is turned.

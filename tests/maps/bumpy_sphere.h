@@ -41,16 +41,19 @@ inline Precise bumpy_normal(Precise d) {
   const auto at = [](Precise direction) { return bumpy_point(common::unit(direction)); };
   return common::unit(common::cross(at(d + u * step) - at(d - u * step), at(d + v * step) - at(d - v * step)));
 }
-inline std::array<double, 3> bumpy_colour(Precise d) { return {0.5 + 0.4 * d.x, 0.5 + 0.4 * std::sin(3 * d.y), 0.5 - 0.4 * d.z}; }
+inline std::array<double, 3> bumpy_colour(Precise d) {
+  return {0.5 + 0.4 * d.x, 0.5 + 0.4 * std::sin(3 * d.y), 0.5 - 0.4 * d.z};
+}
 
 // An icosahedron whose triangles are divided into four, `levels` times.
 inline Sphere sphere_of(unsigned levels, bool has_bumps) {
   const double t = (1 + std::sqrt(5.0)) / 2;
-  std::vector<Precise> points{{-1, t, 0}, {1, t, 0}, {-1, -t, 0}, {1, -t, 0}, {0, -1, t}, {0, 1, t},
-                              {0, -1, -t}, {0, 1, -t}, {t, 0, -1}, {t, 0, 1}, {-t, 0, -1}, {-t, 0, 1}};
+  std::vector<Precise> points{{-1, t, 0},  {1, t, 0},  {-1, -t, 0}, {1, -t, 0}, {0, -1, t},  {0, 1, t},
+                              {0, -1, -t}, {0, 1, -t}, {t, 0, -1},  {t, 0, 1},  {-t, 0, -1}, {-t, 0, 1}};
   for (Precise& p : points) p = common::unit(p);
-  std::vector<std::uint32_t> triangles{0, 11, 5, 0, 5, 1, 0, 1, 7, 0, 7, 10, 0, 10, 11, 1, 5, 9, 5, 11, 4, 11, 10, 2, 10, 7, 6,
-                                       7, 1, 8, 3, 9, 4, 3, 4, 2, 3, 2, 6, 3, 6, 8, 3, 8, 9, 4, 9, 5, 2, 4, 11, 6, 2, 10, 8, 6, 7, 9, 8, 1};
+  std::vector<std::uint32_t> triangles{0, 11, 5,  0, 5,  1, 0, 1, 7, 0, 7,  10, 0, 10, 11, 1, 5, 9, 5, 11,
+                                       4, 11, 10, 2, 10, 7, 6, 7, 1, 8, 3,  9,  4, 3,  4,  2, 3, 2, 6, 3,
+                                       6, 8,  3,  8, 9,  4, 9, 5, 2, 4, 11, 6,  2, 10, 8,  6, 7, 9, 8, 1};
   for (unsigned level = 0; level < levels; ++level) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
     const auto middle = [&](std::uint32_t a, std::uint32_t b) {

@@ -195,9 +195,11 @@ TEST(Coverage, TexelsKnowTheirTriangle) {
   for (std::size_t at = 0; at < coverage.triangles.size(); ++at) {
     if (coverage.triangles[at] == none) continue;
     ++covered;
-    const Point2 texel = triangle_in(charts[0], atlas.places[0], surface, coverage.triangles[at]).at(coverage.weights[at]);
+    const Point2 texel =
+        triangle_in(charts[0], atlas.places[0], surface, coverage.triangles[at]).at(coverage.weights[at]);
     EXPECT_NEAR(texel[0], static_cast<float>(at % atlas.places[0].width) + 0.5F, 0.01F);
-    EXPECT_NEAR(texel[1], static_cast<float>(at / atlas.places[0].width) + 0.5F, 0.01F);
+    const std::size_t row = at / atlas.places[0].width;
+    EXPECT_NEAR(texel[1], static_cast<float>(row) + 0.5F, 0.01F);
   }
   EXPECT_GT(covered, coverage.triangles.size() / 3);
 }

@@ -130,8 +130,8 @@ TEST(Equalise, OnlyTexelsNextToTheSeamChange) {
       if (charts[k].values[i] == before[k].values[i]) continue;
       ++changed;
       const TurnedChart& chart = charts[k];
-      const Point p =
-          chart.in_plane({static_cast<float>(i % chart.width) + 0.5F, static_cast<float>(i / chart.width) + 0.5F});
+      const std::size_t row = i / chart.width;
+      const Point p = chart.in_plane({static_cast<float>(i % chart.width) + 0.5F, static_cast<float>(row) + 0.5F});
       const float t = ((p[0] + 10) * 20 + (p[1] + 2) * 5) / 425, s = std::clamp(t, 0.0F, 1.0F);
       EXPECT_LT(std::hypot(p[0] + 10 - 20 * s, p[1] + 2 - 5 * s), 1.4143F);
     }

@@ -68,21 +68,21 @@ class Baker {
     SampleStream stream(source_, origin_, options_.skip_invalid);
     has_normals_ = stream.has_normals();
     channels_ = stream.has_colours() ? channels_with_colour : channels_without_colour;
-    Census census =
-        take_census(stream, Shell(surface_, widest_reach()), surface_.triangles.size(), workers_);
+    Census census = take_census(stream, Shell(surface_, widest_reach()), surface_.triangles.size(), workers_);
     if (census.points_with_foot == 0)
-      throw Error(Element::array, 0,
-                  fmt::format("no point of {} is within {:.3g} of the coarse mesh and faces the same side; both must be "
-                              "in one place, and normals must point to the outside",
-                              source_.name, widest_reach()));
+      throw Error(
+          Element::array, 0,
+          fmt::format("no point of {} is within {:.3g} of the coarse mesh and faces the same side; both must be "
+                      "in one place, and normals must point to the outside",
+                      source_.name, widest_reach()));
     return census;
   }
 
   void set_reach(const Census& census) {
     constexpr double deviations = 6;
-    model_.reach = options_.reach > 0 ? options_.reach
-                                      : std::clamp(deviations * census.root_mean_square, surface_.mean_edge / 4,
-                                                   widest_reach());
+    model_.reach = options_.reach > 0
+                       ? options_.reach
+                       : std::clamp(deviations * census.root_mean_square, surface_.mean_edge / 4, widest_reach());
   }
 
   void place_charts(const Census& census) {

@@ -39,14 +39,16 @@ void check(const BakeOptions& options) {
   constexpr unsigned least_side = 64, most_side = 32768;
   constexpr double most_texels = 64;
   if (options.texture_memory < least_memory)
-    throw Error(Element::option, 0,
-                fmt::format("texture_memory is {} bytes; {} or more is possible", options.texture_memory, least_memory));
+    throw Error(
+        Element::option, 0,
+        fmt::format("texture_memory is {} bytes; {} or more is possible", options.texture_memory, least_memory));
   if (options.most_side < least_side || options.most_side > most_side)
     throw Error(Element::option, 0,
                 fmt::format("most_side is {}; {} to {} is possible", options.most_side, least_side, most_side));
   if (!(options.texels_per_point > 0 && options.texels_per_point <= most_texels))
-    throw Error(Element::option, 0,
-                fmt::format("texels_per_point is {}; above 0 to {} is possible", options.texels_per_point, most_texels));
+    throw Error(
+        Element::option, 0,
+        fmt::format("texels_per_point is {}; above 0 to {} is possible", options.texels_per_point, most_texels));
   if (!(options.noise >= 0) || !std::isfinite(options.noise))
     throw Error(Element::option, 0, fmt::format("noise is {}; 0 or a length is possible", options.noise));
   if (!(options.reach >= 0) || !std::isfinite(options.reach))

@@ -38,7 +38,7 @@ typedef struct glark_maps_fine_mesh {
 typedef struct glark_maps_options {
   size_t texture_memory; /* bytes, 1 MiB or more */
   unsigned most_side;    /* 64 to 32768 */
-  double noise; /* of the points, in their unit; 0: they are exact */
+  double noise;          /* of the points, in their unit; 0: they are exact */
   double texels_per_point;
   double reach; /* 0: by the distances of the points */
   bool skip_invalid;

@@ -25,8 +25,7 @@ double area_in_plane(const Chart& chart, const Surface& surface) {
   double area = 0;
   for (const std::uint32_t t : chart.triangles) {
     Triangle2 triangle;
-    for (std::size_t k = 0; k < 3; ++k)
-      triangle.corners[k] = chart.project(surface.positions[surface.triangles[t][k]]);
+    for (std::size_t k = 0; k < 3; ++k) triangle.corners[k] = chart.project(surface.positions[surface.triangles[t][k]]);
     area += std::abs(static_cast<double>(triangle.doubled_area())) / 2;
   }
   return area;
@@ -92,10 +91,11 @@ Atlas reduce(const std::vector<Chart>& charts, const std::vector<double>& densit
              const AtlasLimits& limits) {
   std::optional<Atlas> best = try_to_pack(charts, densities, 0, width, height);
   if (!best)
-    throw Error(Element::option, 0,
-                fmt::format("texture_memory allows maps of {} texels, but the coarse mesh has {} charts, which need more; "
-                            "raise it, or give a mesh of fewer triangles",
-                            limits.most_texels, charts.size()));
+    throw Error(
+        Element::option, 0,
+        fmt::format("texture_memory allows maps of {} texels, but the coarse mesh has {} charts, which need more; "
+                    "raise it, or give a mesh of fewer triangles",
+                    limits.most_texels, charts.size()));
   double low = 0, high = 1;
   for (int step = 0; step < 12; ++step) {
     const double middle = (low + high) / 2;

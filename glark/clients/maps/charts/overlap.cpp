@@ -13,9 +13,9 @@
 namespace glark::maps {
 namespace {
 
-constexpr float least_cosine = 0.05F;       // of a triangle's normal and the chart's
-constexpr float cells_of_triangle = 48;     // so many cells of the grid does a triangle cover on average
-constexpr float inside = 0.03F;             // triangles that share an edge do not overlap by this weight
+constexpr float least_cosine = 0.05F;    // of a triangle's normal and the chart's
+constexpr float cells_of_triangle = 48;  // so many cells of the grid does a triangle cover on average
+constexpr float inside = 0.03F;          // triangles that share an edge do not overlap by this weight
 
 // The first two triangles that cover the same place. A grid of cells finds overlaps larger than a cell.
 std::optional<std::pair<std::uint32_t, std::uint32_t>> find_overlap(const Chart& chart, const Surface& surface) {
@@ -30,7 +30,8 @@ std::optional<std::pair<std::uint32_t, std::uint32_t>> find_overlap(const Chart&
     }
     std::optional<std::uint32_t> other;
     for_each_centre(triangle, inside, [&](int x, int y, const Weights&) {
-      const auto key = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(y)) << 32U) | static_cast<std::uint32_t>(x);
+      const auto key =
+          (static_cast<std::uint64_t>(static_cast<std::uint32_t>(y)) << 32U) | static_cast<std::uint32_t>(x);
       const auto [place, is_new] = owner.emplace(key, t);
       if (!is_new) other = place->second;
     });

@@ -82,9 +82,8 @@ class Merger {
   void merge() {
     std::vector<std::uint32_t> order(triangles_.size());
     std::iota(order.begin(), order.end(), 0U);
-    std::stable_sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return triangles_[a].size() < triangles_[b].size();
-    });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return triangles_[a].size() < triangles_[b].size(); });
     for (const std::uint32_t chart : order) merge_into_neighbour(chart);
   }
 

@@ -9,7 +9,6 @@
 #include <numeric>
 #include <tuple>
 
-
 namespace glark::maps {
 namespace {
 
@@ -20,22 +19,22 @@ constexpr float largest = 1e18F;
 void require(const CoarseMesh& mesh) {
   if (mesh.positions.size() % 3 != 0)
     throw Error(Element::array, 0,
-                fmt::format("the coarse mesh has {} coordinates; give three for each vertex",
-                            mesh.positions.size()));
+                fmt::format("the coarse mesh has {} coordinates; give three for each vertex", mesh.positions.size()));
   if (!mesh.normals.empty() && mesh.normals.size() != mesh.positions.size())
     throw Error(Element::array, 0,
                 fmt::format("the coarse mesh has {} coordinates and {} of normals; give as many, or none",
                             mesh.positions.size(), mesh.normals.size()));
   if (mesh.triangles.size() % 3 != 0)
     throw Error(Element::array, 0,
-                fmt::format("the coarse mesh has {} indices; give three for each triangle",
-                            mesh.triangles.size()));
+                fmt::format("the coarse mesh has {} indices; give three for each triangle", mesh.triangles.size()));
   if (mesh.triangles.empty())
     throw Error(Element::array, 0, "the coarse mesh has no triangles; maps need a surface to lie on");
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    const bool is_usable = std::abs(mesh.positions[i]) <= largest && (mesh.normals.empty() || std::isfinite(mesh.normals[i]));
+    const bool is_usable =
+        std::abs(mesh.positions[i]) <= largest && (mesh.normals.empty() || std::isfinite(mesh.normals[i]));
     if (!is_usable)
-      throw Error(Element::point, i / 3, "of the coarse mesh has a coordinate or normal that is not finite or above 1e18; remove it");
+      throw Error(Element::point, i / 3,
+                  "of the coarse mesh has a coordinate or normal that is not finite or above 1e18; remove it");
   }
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     if (mesh.triangles[i] >= mesh.positions.size() / 3)
@@ -114,8 +113,7 @@ void add_triangles_of_vertices(Surface& surface) {
 void add_normals(const CoarseMesh& mesh, const std::vector<std::uint32_t>& welded, Surface& surface) {
   surface.normals.assign(surface.positions.size(), {});
   if (!mesh.normals.empty())
-    for (std::uint32_t i = 0; i < welded.size(); ++i)
-      surface.normals[welded[i]] += unit(vector_at(mesh.normals, i));
+    for (std::uint32_t i = 0; i < welded.size(); ++i) surface.normals[welded[i]] += unit(vector_at(mesh.normals, i));
   std::vector<Vector> of_triangles(surface.positions.size());
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
     for (const std::uint32_t vertex : surface.triangles[t]) {

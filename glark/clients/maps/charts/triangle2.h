@@ -25,10 +25,8 @@ struct Triangle2 {
   Weights weights_of(Point2 p) const {
     const float inverse = 1 / doubled_area();
     const Point2 d{p[0] - corners[0][0], p[1] - corners[0][1]};
-    const float w1 =
-        (d[0] * (corners[2][1] - corners[0][1]) - (corners[2][0] - corners[0][0]) * d[1]) * inverse;
-    const float w2 =
-        ((corners[1][0] - corners[0][0]) * d[1] - d[0] * (corners[1][1] - corners[0][1])) * inverse;
+    const float w1 = (d[0] * (corners[2][1] - corners[0][1]) - (corners[2][0] - corners[0][0]) * d[1]) * inverse;
+    const float w2 = ((corners[1][0] - corners[0][0]) * d[1] - d[0] * (corners[1][1] - corners[0][1])) * inverse;
     return {1 - w1 - w2, w1, w2};
   }
   Point2 at(const Weights& w) const {

@@ -16,7 +16,9 @@ using common::unit;
 
 constexpr std::array<std::uint8_t, 3> flat_normal{128, 128, 255};  // of texels that no chart has
 
-std::uint8_t to_byte(float value) { return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 255)); }
+std::uint8_t to_byte(float value) {
+  return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 255));
+}
 
 // Turns a normal into tangent space. The shader's frame is the same: normal and tangent are interpolated and scaled to
 // unit length, and the bitangent is their cross product. The result keeps its length if it can be stored: lengths that
@@ -27,8 +29,7 @@ Vector to_tangent_space(Vector n, Vector normal, Vector tangent) {
   const float along_normal = common::dot(n, normal);
   const float along_tangent = common::dot(n, tangent);
   const float determinant = std::max(1 - skew * skew, 1e-6F);
-  const Vector local{(along_tangent - skew * along_normal) / determinant,
-                     common::dot(n, bitangent),
+  const Vector local{(along_tangent - skew * along_normal) / determinant, common::dot(n, bitangent),
                      (along_normal - skew * along_tangent) / determinant};
   if (common::is_zero(local)) return {0, 0, 1};
   return local * (1 / std::max({1.0F, std::abs(local.x), std::abs(local.y), std::abs(local.z)}));
@@ -114,7 +115,8 @@ class Assembly {
   }
 
   std::uint16_t code_of_height(float height) const {
-    const double part = (static_cast<double>(height) - static_cast<double>(model_.bias)) / static_cast<double>(model_.scale);
+    const double part =
+        (static_cast<double>(height) - static_cast<double>(model_.bias)) / static_cast<double>(model_.scale);
     return static_cast<std::uint16_t>(std::lround(std::clamp(part, 0.0, 1.0) * 65535));
   }
 

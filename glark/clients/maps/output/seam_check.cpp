@@ -49,8 +49,7 @@ class Reader {
  private:
   Vector mix(const std::vector<float>& values, std::size_t width, std::uint32_t from, std::uint32_t to, float s) const {
     Vector result;
-    for (std::size_t k = 0; k < 3; ++k)
-      result[k] = (1 - s) * values[width * from + k] + s * values[width * to + k];
+    for (std::size_t k = 0; k < 3; ++k) result[k] = (1 - s) * values[width * from + k] + s * values[width * to + k];
     return result;
   }
 

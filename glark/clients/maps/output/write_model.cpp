@@ -144,9 +144,9 @@ void require_size(const std::filesystem::path& file, const Baked& model) {
                                                  model.texcoords.size() + model.triangles.size()) +
                        static_cast<double>(model.normal_map.size() + model.colour_map.size());
   if (bytes > most)
-    throw Error(Element::file, 0,
-                fmt::format("{} would have more than 4 GiB, which GLB cannot hold; lower the texture memory",
-                            file.string()));
+    throw Error(
+        Element::file, 0,
+        fmt::format("{} would have more than 4 GiB, which GLB cannot hold; lower the texture memory", file.string()));
 }
 
 }  // namespace

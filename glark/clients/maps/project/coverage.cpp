@@ -103,8 +103,7 @@ void set_coarse_normals(const Chart& chart, const Surface& surface, const Covera
   for (std::size_t at = 0; at < coverage.triangles.size(); ++at) {
     Vector normal;
     if (const std::uint32_t t = coverage.triangles[at]; t != none)
-      for (std::size_t k = 0; k < 3; ++k)
-        normal += surface.normals[surface.triangles[t][k]] * coverage.weights[at][k];
+      for (std::size_t k = 0; k < 3; ++k) normal += surface.normals[surface.triangles[t][k]] * coverage.weights[at][k];
     else
       normal = chart.vertex_normal;
     for (std::size_t k = 0; k < 3; ++k) values[at * channels + normal_channel + k] = normal[k];

@@ -33,9 +33,9 @@ class MeshPoints final : public stream::PointReader {
   std::string name_;
   stream::Schema schema_;
   std::uint64_t vertices_ = 0, next_ = 0;
-  std::vector<std::uint16_t> parts_;   // of the longest edge of each triangle
-  std::vector<std::uint64_t> first_;   // the first point of each triangle, and the end
-  std::vector<float> normals_;         // of the vertices
+  std::vector<std::uint16_t> parts_;  // of the longest edge of each triangle
+  std::vector<std::uint64_t> first_;  // the first point of each triangle, and the end
+  std::vector<float> normals_;        // of the vertices
   std::vector<double> positions_, channels_;
   std::vector<float> out_normals_;
 };

@@ -71,7 +71,7 @@ void MeshPoints::add_vertex_normals() {
   for (std::size_t t = 0; t < mesh_.triangles.size(); t += 3) {
     const Precise a = vector_at(mesh_.positions, mesh_.triangles[t]);
     const Precise normal = common::cross(vector_at(mesh_.positions, mesh_.triangles[t + 1]) - a,
-                                        vector_at(mesh_.positions, mesh_.triangles[t + 2]) - a);
+                                         vector_at(mesh_.positions, mesh_.triangles[t + 2]) - a);
     for (std::size_t k = 0; k < 3; ++k) sums[mesh_.triangles[t + k]] += normal;
   }
   for (std::size_t i = 0; i < vertices_; ++i) {
@@ -116,8 +116,9 @@ void MeshPoints::add_point(std::uint64_t index) {
   while (row * row > small) --row;
   while ((row + 1) * (row + 1) <= small) ++row;
   const std::uint64_t place = small - row * row;
+  const std::uint64_t pair = place / 2;
   const double third = place % 2 == 0 ? 1 / 3.0 : 2 / 3.0;
-  const double second = (static_cast<double>(place / 2) + third) / parts;
+  const double second = (static_cast<double>(pair) + third) / parts;
   const double first = (static_cast<double>(row) + (place % 2 == 0 ? 2 / 3.0 : 1 / 3.0)) / parts - second;
   add_mean({mesh_.triangles[3 * t], mesh_.triangles[3 * t + 1], mesh_.triangles[3 * t + 2]},
            {1 - first - second, first, second});

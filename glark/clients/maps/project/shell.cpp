@@ -101,8 +101,7 @@ void Shell::fill_cells() {
       }
       for (std::uint32_t z = first[2]; z <= last[2]; ++z)
         for (std::uint32_t y = first[1]; y <= last[1]; ++y)
-          for (std::uint32_t x = first[0]; x <= last[0]; ++x)
-            add((std::size_t{z} * cells_[1] + y) * cells_[0] + x, t);
+          for (std::uint32_t x = first[0]; x <= last[0]; ++x) add((std::size_t{z} * cells_[1] + y) * cells_[0] + x, t);
     }
   };
   first_.assign(std::size_t{cells_[0]} * cells_[1] * cells_[2] + 1, 0);
@@ -180,8 +179,8 @@ std::optional<Foot> Shell::foot_of(Vector position, Vector normal) const {
   }
   for (float& w : best.weights) w /= sum;
   const auto& corners = surface_.triangles[best.triangle];
-  const Vector n = mix({surface_.normals[corners[0]], surface_.normals[corners[1]], surface_.normals[corners[2]]},
-                       best.weights);
+  const Vector n =
+      mix({surface_.normals[corners[0]], surface_.normals[corners[1]], surface_.normals[corners[2]]}, best.weights);
   best.height *= common::length(n);
   return best;
 }

@@ -69,8 +69,8 @@ class Splatter {
   std::vector<std::uint32_t> first_image_;
   std::vector<Image> images_;
   std::vector<Foot> feet_;
-  std::vector<std::uint32_t> first_entry_;                             // of each chart
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> entries_;       // sample and image
+  std::vector<std::uint32_t> first_entry_;                        // of each chart
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> entries_;  // sample and image
 };
 
 }  // namespace glark::maps

@@ -123,7 +123,7 @@ SeamDifferences seam_jumps(std::span<const ChartImage> charts, unsigned channels
 }
 
 SeamDifferences equalise(std::span<const ChartImage> charts, unsigned channels, std::span<const Seam> seams,
-                   const SeamOptions& options) {
+                         const SeamOptions& options) {
   assert(are_valid(charts, channels, seams));
   const Differences differences = differences_of(charts, seams, options.samples_per_texel);
   const Eigen::Index columns = differences.matrix.cols();

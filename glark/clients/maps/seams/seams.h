@@ -47,6 +47,6 @@ SeamDifferences seam_jumps(std::span<const ChartImage> charts, unsigned channels
 // Changes the texels next to seams, so that bilinear samples along a seam are the same on both sides. All other texels
 // stay. Returns the differences that are left.
 SeamDifferences equalise(std::span<const ChartImage> charts, unsigned channels, std::span<const Seam> seams,
-                   const SeamOptions& options = {});
+                         const SeamOptions& options = {});
 
 }  // namespace glark::maps

@@ -92,9 +92,10 @@ geometry::Geometry coarse_mesh(const Bake& command, const Fine& fine, double& no
 
 void warn_of_losses(const maps::Baked& model, const std::string& file) {
   if (model.left_out > 0)
-    warn(fmt::format("{}: {} of {} points are left out, which are more than {:.3g} from the coarse mesh or face away from "
-                     "it; --reach takes in points farther away",
-                     file, model.left_out, model.points, model.reach));
+    warn(fmt::format(
+        "{}: {} of {} points are left out, which are more than {:.3g} from the coarse mesh or face away from "
+        "it; --reach takes in points farther away",
+        file, model.left_out, model.points, model.reach));
   if (model.invalid > 0)
     warn(fmt::format("{}: {} points with NaN or infinite coordinates are left out", file, model.invalid));
   if (model.empty_charts > 0)
@@ -141,11 +142,9 @@ void run(const Bake& command) {
   options.skip_invalid = command.files.skip_invalid;
   Progress progress("baking " + command.files.input);
   options.progress = [&](double fraction) { progress.show(fraction); };
-  const maps::Baked model = maps::bake({.origin = mesh.origin,
-                                        .positions = mesh.positions,
-                                        .normals = mesh.normals,
-                                        .triangles = mesh.triangles},
-                                       fine->source, options);
+  const maps::Baked model = maps::bake(
+      {.origin = mesh.origin, .positions = mesh.positions, .normals = mesh.normals, .triangles = mesh.triangles},
+      fine->source, options);
   warn_of_losses(model, command.files.input);
   maps::write_model(command.files.output, model);
   Report report = report_of(model, options.noise);
@@ -160,14 +159,19 @@ void describe(CLI::App& command, Bake& bake) {
                   "The model to write, .glb. Its displacement map is written beside it")
       ->type_name("MODEL.glb")
       ->required();
-  command.add_option("--mesh", bake.mesh, "The coarse mesh; default: a mesh or reconstruction with fewer triangles, or strips of samples of large scans")
+  command
+      .add_option("--mesh", bake.mesh,
+                  "The coarse mesh; default: a mesh or reconstruction with fewer triangles, or strips of samples of "
+                  "large scans")
       ->type_name("COARSE");
   command
-      .add_option("--triangles", bake.coarse.triangles,
-                  fmt::format("The most triangles of the coarse mesh without --mesh; default {}", bake.coarse.triangles))
+      .add_option(
+          "--triangles", bake.coarse.triangles,
+          fmt::format("The most triangles of the coarse mesh without --mesh; default {}", bake.coarse.triangles))
       ->transform(whole_above_zero());
-  command.add_option("--texture-memory", bake.options.texture_memory,
-                     "The most memory of the maps with mipmaps, as 64MB or 1GB; default 128MB")
+  command
+      .add_option("--texture-memory", bake.options.texture_memory,
+                  "The most memory of the maps with mipmaps, as 64MB or 1GB; default 128MB")
       ->transform(CLI::AsSizeValue(false))
       ->type_name("BYTES");
   command
@@ -175,9 +179,10 @@ void describe(CLI::App& command, Bake& bake) {
                   fmt::format("Texels for each point, up to 64; default {}", bake.options.texels_per_point))
       ->check(above_zero());
   command
-      .add_option("--noise", bake.options.noise,
-                  "The root mean square noise of the points, as a length: texels are 3.5 times as wide or more; default: "
-                  "measured where points are reconstructed, otherwise 0")
+      .add_option(
+          "--noise", bake.options.noise,
+          "The root mean square noise of the points, as a length: texels are 3.5 times as wide or more; default: "
+          "measured where points are reconstructed, otherwise 0")
       ->check(above_zero());
   command
       .add_option("--reach", bake.options.reach,

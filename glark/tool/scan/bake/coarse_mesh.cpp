@@ -58,8 +58,9 @@ geometry::Geometry read_coarse_mesh(const std::string& file, const Files& files)
   coarse.format.clear();
   geometry::Geometry mesh = load(file, coarse);
   if (mesh.triangles.empty())
-    throw std::runtime_error(file + ": it has no triangles; --mesh takes a mesh, as `glark reconstruct`, `glark strip` "
-                                    "or `glark simplify` write it");
+    throw std::runtime_error(file +
+                             ": it has no triangles; --mesh takes a mesh, as `glark reconstruct`, `glark strip` "
+                             "or `glark simplify` write it");
   return mesh;
 }
 
@@ -111,12 +112,12 @@ geometry::Geometry strip_sampling(const stream::Source& source, const CoarseOpti
   geometry::Geometry points;
   stream::sample(source, sampling, std::filesystem::temp_directory_path(),
                  [&](const stream::Schema& schema) { return std::make_unique<Collector>(schema, points); });
-  const surfel::Strips strips({.positions = points.positions, .normals = points.normals},
-                              {.threads = options.threads});
+  const surfel::Strips strips({.positions = points.positions, .normals = points.normals}, {.threads = options.threads});
   add_triangles(strips, points);
   if (points.triangles.empty())
-    throw std::runtime_error(fmt::format("{}: its {} samples show no surface; give a mesh by --mesh, or more --triangles",
-                                         source.name, points.point_count()));
+    throw std::runtime_error(
+        fmt::format("{}: its {} samples show no surface; give a mesh by --mesh, or more --triangles", source.name,
+                    points.point_count()));
   return points;
 }
 
