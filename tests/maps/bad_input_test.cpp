@@ -72,6 +72,10 @@ TEST_F(BadInput, VerticesAndTrianglesThatCannotBeUsed) {
   const std::vector<std::uint32_t> points_only{1, 1, 1};
   coarse_.triangles = points_only;
   expect_error(Element::array, 0);
+  const std::vector<float> line{0, 0, 0, 1, 0, 0, 2, 0, 0};
+  const std::vector<std::uint32_t> thin{0, 1, 2};
+  coarse_ = {.positions = line, .triangles = thin};
+  expect_error(Element::array, 0);
 }
 
 TEST_F(BadInput, NoPointNearTheMesh) {

@@ -198,6 +198,30 @@ TEST(Bake, SidesArePowersOfTwoWithinTheLimit) {
   EXPECT_EQ(model.height & (model.height - 1), 0U);
 }
 
+TEST(Bake, ResultDoesNotDependOnTheUnit) {
+  const Baked model = bake_bumps();
+  for (const int exponent : {-40, 40}) {
+    Sphere fine = sphere_of(6, true);
+    Sphere coarse = sphere_of(2, false);
+    for (Sphere* sphere : {&fine, &coarse})
+      for (float& x : sphere->positions) x = std::ldexp(x, exponent);
+    const Baked other = bake(coarse.coarse(), mesh_source(fine.fine(), std::ldexp(spacing, exponent)));
+    EXPECT_EQ(other.normal_map, model.normal_map);
+    EXPECT_EQ(other.displacement_map, model.displacement_map);
+    EXPECT_EQ(other.scale, std::ldexp(model.scale, exponent));
+    EXPECT_EQ(other.positions[0], std::ldexp(model.positions[0], exponent));
+  }
+}
+
+TEST(Bake, FlatModelsHaveNoDisplacement) {
+  const std::vector<float> positions{0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0};
+  const std::vector<std::uint32_t> triangles{0, 1, 2, 0, 2, 3};
+  const Baked model = bake({.positions = positions, .triangles = triangles},
+                           mesh_source({.positions = positions, .triangles = triangles}, 0.05));
+  EXPECT_EQ(model.scale, 0);
+  EXPECT_EQ(model.bias, 0);
+}
+
 TEST(Bake, OriginIsKeptInDoublePrecision) {
   const Sphere fine = sphere_of(5, true);
   const Sphere coarse = sphere_of(2, false);

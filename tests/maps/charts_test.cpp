@@ -104,6 +104,15 @@ TEST(Surface, VerticesAtOnePositionAreOne) {
   EXPECT_EQ(surface.neighbours[0][0], none);
 }
 
+TEST(Surface, IsScaledByAPowerOfTwo) {
+  const std::vector<float> positions{0, 0, 0, 3e15F, 0, 0, 0, 4e15F, 0};
+  const std::vector<std::uint32_t> triangles{0, 1, 2};
+  const Surface surface = surface_of({.positions = positions, .triangles = triangles});
+  EXPECT_GE(surface.diagonal, 1);
+  EXPECT_LT(surface.diagonal, 2);
+  EXPECT_EQ(static_cast<double>(surface.positions[1].x) / surface.scale, 3e15F);
+}
+
 TEST(Pack, PlacesLieInTheMapsAndDoNotOverlap) {
   const Surface surface = surface_of(sphere_of(4, true).coarse());
   const std::vector<Chart> charts = segment(surface);
@@ -177,12 +186,13 @@ TEST(Shell, FootOfADisplacedPointIsWhereItCameFrom) {
 
 TEST(Shell, PointsBeyondTheReachOrOnTheWrongSideHaveNoFoot) {
   const Surface surface = surface_of(sphere_of(2, false).coarse());
-  const Shell shell(surface, 0.1);
-  EXPECT_TRUE(shell.foot_of({0, 0, 1.05F}, {0, 0, 1}));
-  EXPECT_TRUE(shell.foot_of({0, 0, 1.05F}, {0, 0, 0}));
-  EXPECT_FALSE(shell.foot_of({0, 0, 1.05F}, {0, 0, -1}));
-  EXPECT_FALSE(shell.foot_of({0, 0, 1.2F}, {0, 0, 1}));
-  EXPECT_FALSE(shell.foot_of({0, 0, 50}, {0, 0, 1}));
+  const auto unit = static_cast<float>(surface.scale);
+  const Shell shell(surface, 0.1 * surface.scale);
+  EXPECT_TRUE(shell.foot_of({0, 0, 1.05F * unit}, {0, 0, 1}));
+  EXPECT_TRUE(shell.foot_of({0, 0, 1.05F * unit}, {0, 0, 0}));
+  EXPECT_FALSE(shell.foot_of({0, 0, 1.05F * unit}, {0, 0, -1}));
+  EXPECT_FALSE(shell.foot_of({0, 0, 1.2F * unit}, {0, 0, 1}));
+  EXPECT_FALSE(shell.foot_of({0, 0, 50 * unit}, {0, 0, 1}));
   EXPECT_FALSE(shell.foot_of({0, 0, 0}, {0, 0, 1}));
 }
 

@@ -53,6 +53,7 @@ class Baker {
     model_.charts = charts_.size();
     assemble({surface_, charts_, atlas_, maps_, channels_}, workers_, model_);
     model_.seams = check_seams(surface_, charts_, model_);
+    to_unit_of_mesh();
     report(1);
     return std::move(model_);
   }
@@ -62,10 +63,20 @@ class Baker {
     if (options_.progress) options_.progress(fraction);
   }
 
-  double widest_reach() const { return options_.reach > 0 ? options_.reach : 2 * surface_.mean_edge; }
+  void to_unit_of_mesh() {
+    const double unit = 1 / surface_.scale;
+    const auto scaled = [unit](float length) { return static_cast<float>(static_cast<double>(length) * unit); };
+    for (float& x : model_.positions) x = scaled(x);
+    for (float* length : {&model_.scale, &model_.bias, &model_.seams.displacement.greatest,
+                          &model_.seams.displacement.root_mean_square})
+      *length = scaled(*length);
+    model_.reach *= unit;
+  }
+
+  double widest_reach() const { return options_.reach > 0 ? options_.reach * surface_.scale : 2 * surface_.mean_edge; }
 
   Census look_at_points() {
-    SampleStream stream(source_, origin_, options_.skip_invalid);
+    SampleStream stream(source_, origin_, surface_.scale, options_.skip_invalid);
     has_normals_ = stream.has_normals();
     channels_ = stream.has_colours() ? channels_with_colour : channels_without_colour;
     Census census = take_census(stream, Shell(surface_, widest_reach()), surface_.triangles.size(), workers_);
@@ -74,14 +85,14 @@ class Baker {
           Element::array, 0,
           fmt::format("no point of {} is within {:.3g} of the coarse mesh and faces the same side; both must be "
                       "in one place, and normals must point to the outside",
-                      source_.name, widest_reach()));
+                      source_.name, widest_reach() / surface_.scale));
     return census;
   }
 
   void set_reach(const Census& census) {
     constexpr double deviations = 6;
     model_.reach = options_.reach > 0
-                       ? options_.reach
+                       ? options_.reach * surface_.scale
                        : std::clamp(deviations * census.root_mean_square, surface_.mean_edge / 4, widest_reach());
   }
 
@@ -98,13 +109,13 @@ class Baker {
     atlas_ = pack(charts_, surface_, wanted,
                   {.most_texels = options_.texture_memory / bytes * 3 / 4,
                    .most_side = options_.most_side,
-                   .most_density = options_.noise > 0 ? 1 / (texel_of_noise * options_.noise) : 0});
+                   .most_density = options_.noise > 0 ? 1 / (texel_of_noise * options_.noise * surface_.scale) : 0});
     maps_.resize(charts_.size());
     for (std::size_t c = 0; c < charts_.size(); ++c) maps_[c].resize(atlas_.places[c], channels_);
   }
 
   void add_points() {
-    SampleStream stream(source_, origin_, options_.skip_invalid);
+    SampleStream stream(source_, origin_, surface_.scale, options_.skip_invalid);
     const Shell shell(surface_, model_.reach);
     Splatter splatter(charts_, atlas_, surface_, shell, channels_);
     std::vector<Sample> samples;

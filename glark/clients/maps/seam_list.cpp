@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "glark/clients/maps/seam_list.h"
 
+#include <cmath>
+
 #include "glark/clients/maps/charts/segmentation.h"
 #include "glark/clients/maps/seams/seams.h"
 
@@ -30,6 +32,17 @@ std::vector<Seam> seams_of(const Surface& surface, const std::vector<Chart>& cha
   return seams;
 }
 
+// Eight bits tell the direction of a short normal badly.
+void limit_normals(ChartMap& map, unsigned channels) {
+  constexpr float least = 0.5F, most = 1.2F;
+  for (std::size_t at = 0; at < map.weights.size(); ++at) {
+    float* n = map.values.data() + at * channels + normal_channel;
+    const float length = std::hypot(n[0], n[1], n[2]);
+    if (!(length > 0) || (length >= least && length <= most)) continue;
+    for (std::size_t k = 0; k < 3; ++k) n[k] /= length;
+  }
+}
+
 }  // namespace
 
 void equalise_seams(const Surface& surface, const std::vector<Chart>& charts, const Atlas& atlas, unsigned channels,
@@ -37,6 +50,7 @@ void equalise_seams(const Surface& surface, const std::vector<Chart>& charts, co
   std::vector<ChartImage> images;
   for (ChartMap& map : maps) images.push_back({map.width, map.height, map.values});
   equalise(images, channels, seams_of(surface, charts, atlas), {});
+  for (ChartMap& map : maps) limit_normals(map, channels);
 }
 
 }  // namespace glark::maps

@@ -129,7 +129,7 @@ void add_normals(const CoarseMesh& mesh, const std::vector<std::uint32_t>& welde
   }
 }
 
-void measure(Surface& surface) {
+void measure_box(Surface& surface) {
   Vector low = surface.positions.front();
   Vector high = low;
   for (const Vector& p : surface.positions) {
@@ -137,6 +137,10 @@ void measure(Surface& surface) {
     high = common::greatest(high, p);
   }
   surface.diagonal = static_cast<double>(common::robust_length(high - low));
+}
+
+void measure(Surface& surface) {
+  measure_box(surface);
   double sum = 0;
   for (const auto& corners : surface.triangles)
     for (std::size_t k = 0; k < 3; ++k)
@@ -145,12 +149,22 @@ void measure(Surface& surface) {
   surface.mean_edge = sum / (3 * static_cast<double>(surface.triangles.size()));
 }
 
+// Squares of lengths must neither overflow nor underflow.
+void scale(Surface& surface) {
+  measure_box(surface);
+  if (surface.diagonal > 0) surface.scale = std::ldexp(1.0, -std::ilogb(surface.diagonal));
+  for (Vector& p : surface.positions)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      p[axis] = static_cast<float>(static_cast<double>(p[axis]) * surface.scale);
+}
+
 }  // namespace
 
 Surface surface_of(const CoarseMesh& mesh) {
   require(mesh);
   Surface surface;
   const std::vector<std::uint32_t> welded = weld(mesh, surface.positions);
+  scale(surface);
   for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
     const std::array<std::uint32_t, 3> corners{welded[mesh.triangles[t]], welded[mesh.triangles[t + 1]],
                                                welded[mesh.triangles[t + 2]]};
@@ -163,8 +177,9 @@ Surface surface_of(const CoarseMesh& mesh) {
   add_neighbours(surface);
   add_triangles_of_vertices(surface);
   measure(surface);
-  if (!(surface.mean_edge > 0))
-    throw Error(Element::array, 0, "all triangles of the coarse mesh are points; give a mesh with an area");
+  if (std::all_of(surface.triangle_normals.begin(), surface.triangle_normals.end(),
+                  [](const Vector& normal) { return common::is_zero(normal); }))
+    throw Error(Element::array, 0, "no triangle of the coarse mesh has an area; give a mesh with a surface");
   return surface;
 }
 

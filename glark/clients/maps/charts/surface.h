@@ -24,7 +24,8 @@ struct Surface {
   std::vector<Vector> triangle_normals;                   // of unit length; zero for a triangle without area
   std::vector<std::array<std::uint32_t, 3>> neighbours;   // across the edges 01, 12 and 20; `none` at a boundary
   std::vector<std::uint32_t> first_of_vertex, of_vertex;  // the triangles at each vertex, one list after the other
-  double diagonal = 0;                                    // of the bounding box
+  double scale = 1;  // a power of two: positions here are those of the mesh times it, so that the diagonal is about 1
+  double diagonal = 0;  // of the bounding box
   double mean_edge = 0;
 };
 

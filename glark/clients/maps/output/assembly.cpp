@@ -65,7 +65,7 @@ class Assembly {
       }
     }
     model_.bias = low;
-    model_.scale = high > low ? high - low : 1;
+    model_.scale = high - low;
   }
 
   void clear_maps() {
@@ -115,6 +115,7 @@ class Assembly {
   }
 
   std::uint16_t code_of_height(float height) const {
+    if (!(model_.scale > 0)) return 0;
     const double part =
         (static_cast<double>(height) - static_cast<double>(model_.bias)) / static_cast<double>(model_.scale);
     return static_cast<std::uint16_t>(std::lround(std::clamp(part, 0.0, 1.0) * 65535));

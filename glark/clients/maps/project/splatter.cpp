@@ -22,9 +22,11 @@ double white_of(stream::Number type) {
 
 }  // namespace
 
-SampleStream::SampleStream(const stream::Source& source, const std::array<double, 3>& origin, bool skip_invalid)
+SampleStream::SampleStream(const stream::Source& source, const std::array<double, 3>& origin, double scale,
+                           bool skip_invalid)
     : reader_(source.open({.format = {}, .normals = true, .channels = true, .keep_invalid = true})),
       origin_(origin),
+      scale_(scale),
       skip_invalid_(skip_invalid),
       has_normals_(reader_->schema().normals) {
   const char* names[] = {"red", "green", "blue"};
@@ -61,7 +63,7 @@ bool SampleStream::next(std::size_t most, std::vector<Sample>& samples) {
       continue;
     }
     Sample& sample = samples.emplace_back();
-    for (std::size_t k = 0; k < 3; ++k) sample.position[k] = static_cast<float>(p[k] - origin_[k]);
+    for (std::size_t k = 0; k < 3; ++k) sample.position[k] = static_cast<float>((p[k] - origin_[k]) * scale_);
     if (has_normals_)
       sample.normal = common::unit(Vector{points.normals[3 * i], points.normals[3 * i + 1], points.normals[3 * i + 2]});
     if (has_colours_)

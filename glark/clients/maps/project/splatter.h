@@ -28,7 +28,8 @@ struct Sample {
 // Reads the points of a source, span after span.
 class SampleStream {
  public:
-  SampleStream(const stream::Source& source, const std::array<double, 3>& origin, bool skip_invalid);
+  // scale: positions are multiplied by it after the origin is taken off.
+  SampleStream(const stream::Source& source, const std::array<double, 3>& origin, double scale, bool skip_invalid);
 
   bool has_normals() const { return has_normals_; }
   bool has_colours() const { return has_colours_; }
@@ -43,6 +44,7 @@ class SampleStream {
  private:
   std::unique_ptr<stream::PointReader> reader_;
   std::array<double, 3> origin_;
+  double scale_;
   bool skip_invalid_, has_normals_ = false, has_colours_ = false;
   std::array<std::size_t, 3> colour_channels_{};
   std::uint64_t invalid_ = 0, read_ = 0;

@@ -94,7 +94,7 @@ void warn_of_losses(const maps::Baked& model, const std::string& file) {
   if (model.left_out > 0)
     warn(fmt::format(
         "{}: {} of {} points are left out, which are more than {:.3g} from the coarse mesh or face away from "
-        "it; --reach takes in points farther away",
+        "it; --reach takes in points farther away, and normals must point to the outside",
         file, model.left_out, model.points, model.reach));
   if (model.invalid > 0)
     warn(fmt::format("{}: {} points with NaN or infinite coordinates are left out", file, model.invalid));

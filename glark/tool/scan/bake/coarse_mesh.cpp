@@ -13,6 +13,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "glark/tool/scan/bake/folds.h"
 #include "glark/tool/scan/console.h"
 #include "glark/tool/scan/simplified.h"
 
@@ -78,7 +79,9 @@ geometry::Geometry simplify_to(const geometry::Geometry& fine, const CoarseOptio
   plain.positions = fine.positions;
   plain.normals = fine.normals;
   plain.triangles = fine.triangles;
-  return simplified(plain, simplify).geometry;
+  geometry::Geometry coarse = simplified(plain, simplify).geometry;
+  unfold(coarse);
+  return coarse;
 }
 
 CoarseReconstruction reconstruct_from(const geometry::Geometry& points, const CoarseOptions& options) {
