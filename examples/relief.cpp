@@ -66,7 +66,7 @@ void make_texture(GLenum unit, int width, int height, GLint kept, GLenum format,
   glTexImage2D(GL_TEXTURE_2D, 0, kept, width, height, 0, format, type, texels);
 }
 
-// Unit 0 has the colours. The fixed function does not draw unit 1: it has the heights, 16 bits each.
+// Texture unit 0 has the colours. Unit 1 has the heights, and is not enabled, so that the fixed function ignores it.
 void load_heights(const tinygltf::Value& displacement) {
   if (!displacement.Has("uri") || !displacement.Get("uri").IsString()) fail("names no displacement file");
   const std::string path = std::filesystem::path(file).replace_filename(displacement.Get("uri").Get<std::string>());

@@ -142,7 +142,7 @@ static void show_captured_polygons(void) {
   print_fault("captured_quad_strip", capture(draw_captured, GL_QUAD_STRIP).triangles, 6, "triangles of a quad strip");
   print_fault("captured_polygon", capture(draw_captured, GL_POLYGON).triangles, 6, "triangles of a polygon");
   print_fault("captured_after_indirect", capture(draw_captured_after_indirect, GL_TRIANGLE_FAN).triangles, fan,
-              "triangles of a fan after an indirect draw of none");
+              "triangles of a fan after an indirect draw of 0 vertices");
   glVertexAttribPointer(0, 1, GL_FLOAT, GL_FALSE, 2 * sizeof(float), NULL);
   print_fault("captured_stride", capture(draw_captured, GL_TRIANGLE_FAN).triangles, fan,
               "triangles of a fan with an array of another stride");

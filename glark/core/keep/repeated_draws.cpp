@@ -236,7 +236,8 @@ void RepeatedDraws::note_inherited(const ListSegment& segment, std::span<const i
   }
 }
 
-// Notes where the inputs have their values from. False: an input is in client memory, which may change unseen.
+// Notes the arrays and current values that the inputs come from. Returns false if an input lies in client memory, which
+// may change without a call.
 bool RepeatedDraws::note_sources(const DrawCall& call, std::span<const int> inputs, Repeat& repeat) {
   ArrayState& arrays = env_.state.arrays();
   const auto note = [&](int slot) {

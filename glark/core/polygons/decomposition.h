@@ -24,7 +24,7 @@ struct Decomposition {
   std::array<int, 4> common_corners{-1, -1, -1, -1};
 };
 
-// Cuts captured quads anew. Both new triangles have vertex `about` of the boundary as their last corner.
+// Cuts captured quads again. Both new triangles end with vertex `about` of the boundary.
 struct Cut {
   Decomposition captured;
   int about = 3;

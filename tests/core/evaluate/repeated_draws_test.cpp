@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Draws of kept vertices that come again are drawn without a plan. Two draws that differ in one thing take turns until
+// Repeated draws of kept vertices need no plan. Two draws that differ in one thing take turns until
 // both are kept, and each still shows its own picture.
 #include <functional>
 #include <vector>

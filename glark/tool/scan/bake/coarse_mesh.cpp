@@ -20,6 +20,9 @@
 namespace glark::tool {
 namespace {
 
+// Strips of fewer samples would bridge what stands out of sparse ground, as houses do. They are simplified afterwards.
+constexpr std::size_t samples_a_triangle = 5;
+
 // Keeps the points that are written.
 class Collector final : public stream::PointWriter {
  public:
@@ -107,7 +110,7 @@ CoarseReconstruction reconstruct_from(const geometry::Geometry& points, const Co
 geometry::Geometry strip_sampling(const stream::Source& source, const CoarseOptions& options, bool skip_invalid) {
   Progress progress("sampling " + source.name);
   stream::SampleOptions sampling;
-  sampling.target = std::max<std::size_t>(options.triangles / 2, 1);  // a closed surface has two triangles a vertex
+  sampling.target = samples_a_triangle * options.triangles;
   sampling.memory = options.memory;
   sampling.threads = options.threads;
   sampling.skip_invalid = skip_invalid;
@@ -121,7 +124,7 @@ geometry::Geometry strip_sampling(const stream::Source& source, const CoarseOpti
     throw std::runtime_error(
         fmt::format("{}: its {} samples show no surface; give a mesh by --mesh, or more --triangles", source.name,
                     points.point_count()));
-  return points;
+  return simplify_to(points, options);
 }
 
 }  // namespace glark::tool

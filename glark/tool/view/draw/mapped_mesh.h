@@ -26,7 +26,7 @@ class MappedMesh {
   MapsShown most() const;
   // How far the displaced surface is from the mesh, at most.
   float greatest_displacement() const;
-  // Draws with the matrices and lights that are set. Returns how many triangles OpenGL made. `shown` is not plain.
+  // Draws with the current matrices and lights. Returns the number of refined triangles. `shown` must not be plain.
   std::size_t draw(MapsShown shown, const DrawSettings& settings) const;
 
  private:
