@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/refined_draw.h"
 
+#include <algorithm>
 #include <string>
 
 #include "glark/core/objects/application_message.h"
@@ -66,7 +67,8 @@ void RefinedDraw::run(const DrawCall& call) {
     return;
   }
   const DrawPlan& plan = decision.plan;
-  if (const std::optional<Cause> cause = parts_.passes.ensure_room(plan, call.triangles, call.exact)) {
+  if (const std::optional<Cause> cause =
+          parts_.passes.ensure_room(plan, {call.triangles, call.triangles, call.exact})) {
     parts_.meshes.judge(call, {.fields = &plan.program->fields}, cause);
     draw_as_asked(call, plan, *cause, quiet);
     return;
@@ -327,6 +329,16 @@ void RefinedDraw::end_unrefined(std::uint64_t triangles) {
   parts_.meshes.loose_ended(triangles);
 }
 
+void RefinedDraw::refine_in_parts(const DrawPlan& plan, const ImmediateCapture::Captured& captured, bool welded) {
+  const int triangle_bytes = 4 * plan.capture.layout->triangle_words();
+  capture::CoarseTriangles part = captured.triangles;
+  for (std::uint32_t left = captured.triangles.count; left > 0; left -= part.count) {
+    part.count = std::min(left, captured.most_at_once);
+    refine(plan, part, {}, welded);
+    part.offset += static_cast<GLintptr>(part.count) * triangle_bytes;
+  }
+}
+
 void RefinedDraw::end_immediate(std::uint64_t triangles) {
   const Quiet quiet(env_.gl, env_.bindings().debug_output);  // while our feedback is bound, bindings are not read again
   ImmediateCapture::Captured captured = immediate_.end(triangles);
@@ -345,13 +357,13 @@ void RefinedDraw::end_immediate(std::uint64_t triangles) {
   const HalfWindow half(env_, !captured.cause && HalfWindow::splits(env_));
   if (half.on()) {
     half.select_left();
-    refine(coarse(captured.plan), captured.triangles, {}, welded);
+    refine_in_parts(coarse(captured.plan), captured, welded);
     half.select_right();
   }
   {
     Watched watched;
     watch(watched, captured.plan, captured.cause, captured.triangles.count);
-    refine(captured.plan, captured.triangles, {}, welded);
+    refine_in_parts(captured.plan, captured, welded);
   }
   statistics().coarse_triangles += captured.triangles.count;
 }

@@ -81,6 +81,7 @@ class RefinedDraw {
   void draw_vertices(const DrawCache::Entry& entry);
   void note_repeated(const DrawCall& call, const DrawPlan& plan, const KeptDraw& kept);
   void refine(const DrawPlan& plan, const capture::CoarseTriangles& captured, const KeptDraw& kept, bool welded);
+  void refine_in_parts(const DrawPlan& plan, const ImmediateCapture::Captured& captured, bool welded);
   depth::BinnedInstances sort(const DrawPlan& plan, const Records& records, const KeptDraw& kept);
 
   const Environment& env_;

@@ -13,6 +13,13 @@ namespace {
 
 constexpr std::uint64_t most_bytes = std::uint64_t{512} << 20;
 
+// The passes have room for this many triangles before these are counted. Room for a whole capture would take five times
+// its memory.
+constexpr std::uint64_t first_room = 4096;
+
+// Whether the triangles of a plan can be drawn in several parts.
+bool is_divisible(const DrawPlan& plan, bool exact) { return exact && !plan.polygons; }
+
 }  // namespace
 
 // The number of triangles that a capture of the plan may hold.
@@ -28,17 +35,18 @@ std::uint64_t ImmediateCapture::begin(GLenum mode, MaterialSet materials, std::o
   Decision decision = planner_.plan(call);
   cause = decision.cause;
   plan_ = std::move(decision.plan);
+  // glArrayElement may restart the primitive.
+  exact_ = !env_.bindings().primitive_restart && !env_.state.immediate().elements_restart();
   if (cause == Cause::mesh_waits) {
-    compile_ahead(meshes_, passes_, call, plan_, room());
+    compile_ahead(meshes_, passes_, call, plan_, first_room);
   }
   if (!cause) {
-    cause = passes_.ensure_room(plan_, room(), false);
+    const std::uint64_t counted_later = is_divisible(plan_, exact_) ? std::min(first_room, room()) : room();
+    cause = passes_.ensure_room(plan_, {.captured = room(), .refined = counted_later, .exact = false});
   }
   if (cause) {
     return 0;
   }
-  // glArrayElement may restart the primitive.
-  exact_ = !env_.bindings().primitive_restart && !env_.state.immediate().elements_restart();
   capture_.begin(plan_.capture, {.count = exact_ ? capture::Count::known : capture::Count::by_query});
   return room();
 }
@@ -60,6 +68,11 @@ ImmediateCapture::Captured ImmediateCapture::end(std::uint64_t triangles) {
   Captured captured;
   captured.triangles = capture_.end(plan_.capture, triangles, exact_);
   captured.plan = std::exchange(plan_, DrawPlan{});  // the plan's programs may be deleted
+  if (is_divisible(captured.plan, exact_) && triangles > first_room &&
+      passes_.ensure_room(captured.plan, {.captured = 0, .refined = triangles, .exact = false})) {
+    captured.most_at_once = first_room;
+    captured.plan.weld.on = false;
+  }
   if (triangles > 0 && !captured.plan.depth.adaptive) {
     captured.cause = planner_.cause_when_counted(captured.plan, triangles);
     captured.plan.depth.level = captured.cause ? 0 : captured.plan.depth.level;

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "glark/core/capture/draw_capture.h"
@@ -28,6 +29,8 @@ class ImmediateCapture {
     DrawPlan plan;
     capture::CoarseTriangles triangles;
     std::optional<Cause> cause;  // the triangles are drawn coarse
+    // For lack of memory, the triangles are drawn in parts of this many, and not welded.
+    std::uint32_t most_at_once = std::numeric_limits<std::uint32_t>::max();
   };
   // The cause of a small draw is known only when its triangles are counted. Its capture is then drawn at level 0.
   Captured end(std::uint64_t triangles);

@@ -39,17 +39,19 @@ bool TrianglePasses::reserve(const DrawPlan& plan, std::uint32_t triangles, bool
   return sorter_.reserve(sort_room(plan, triangles, exact)) && welds;
 }
 
-std::optional<Cause> TrianglePasses::ensure_room(const DrawPlan& plan, std::uint64_t triangles, bool exact) {
+std::optional<Cause> TrianglePasses::ensure_room(const DrawPlan& plan, const RoomOfDraw& room) {
   const capture::Layout& layout = *plan.capture.layout;
-  const auto count = static_cast<std::uint32_t>(triangles);
-  if (!capture_.stage().can_reserve(layout, triangles)) {
+  const auto refined = static_cast<std::uint32_t>(room.refined);
+  if (!capture_.stage().can_reserve(layout, room.captured)) {
     return Cause::out_of_memory;
   }
-  if (capture_.stage().has_room(layout, triangles) && has_room(plan, count, exact)) {
+  if (capture_.stage().has_room(layout, room.captured) && has_room(plan, refined, room.exact)) {
     return std::nullopt;
   }
   ErrorScope errors(env_.errors);
-  const auto reserve_all = [&] { return capture_.stage().reserve(layout, triangles) && reserve(plan, count, exact); };
+  const auto reserve_all = [&] {
+    return capture_.stage().reserve(layout, room.captured) && reserve(plan, refined, room.exact);
+  };
   const bool at_once = env_.compilation.pace() == CompilePace::at_once;
   const bool reserved = at_once ? env_.compilation.at_once(reserve_all) : reserve_all();
   if (env_.compilation.refused()) {

@@ -26,6 +26,13 @@ struct Records {
   bool tags_are_edge_depths = false;
 };
 
+// How many triangles a draw has.
+struct RoomOfDraw {
+  std::uint64_t captured = 0;  // at most
+  std::uint64_t refined = 0;   // that the passes take at once
+  bool exact = false;          // `refined` is their number, no bound
+};
+
 class TrianglePasses {
  public:
   TrianglePasses(const Environment& environment, const pattern::PoolInUse& pool, capture::DrawCapture& capture);
@@ -33,9 +40,8 @@ class TrianglePasses {
   weld::WeldStage& weld_stage() { return weld_.stage(); }
   depth::InstanceSorter& sorter() { return sorter_; }
 
-  // Makes room for a draw of `triangles` triangles, or of fewer if that is not exact. Returns the cause if there is no memory, or if passes are not
-  // compiled yet.
-  std::optional<Cause> ensure_room(const DrawPlan& plan, std::uint64_t triangles, bool exact);
+  // Makes room for a draw. Returns the cause if there is no memory, or if passes are not compiled yet.
+  std::optional<Cause> ensure_room(const DrawPlan& plan, const RoomOfDraw& room);
   // Compiles what a later frame will need. Returns whether everything is compiled, or will
   // be compiled at once.
   bool compile(const DrawPlan& plan, std::uint64_t triangles, bool exact);

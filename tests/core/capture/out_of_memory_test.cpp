@@ -20,6 +20,7 @@ namespace {
 constexpr int side = 64;
 gl::Dispatch real;
 bool no_memory = false;
+GLsizeiptr allocated = 0;  // bytes
 
 void buffer_data(GLenum target, GLsizeiptr size, const void* data, GLenum usage) {
   if (no_memory) {
@@ -27,6 +28,7 @@ void buffer_data(GLenum target, GLsizeiptr size, const void* data, GLenum usage)
     return;
   }
   real.BufferData(target, size, data, usage);
+  allocated += size;
 }
 
 void* get_proc(void* /*user*/, const char* name) { return reinterpret_cast<void*>(OSMesaGetProcAddress(name)); }
@@ -62,12 +64,31 @@ class OutOfMemory : public testing::Test {
   }
   void draw_triangle() {
     hook::Begin(*context_, GL_TRIANGLES);
-    for (const auto& [x, y] : {std::pair{-1.0F, -1.0F}, std::pair{1.0F, -1.0F}, std::pair{0.0F, 1.0F}}) {
-      real.Vertex2f(x, y);
-      context_->state().immediate().count(3);
-    }
+    for (const auto& [x, y] : {std::pair{-1.0F, -1.0F}, std::pair{1.0F, -1.0F}, std::pair{0.0F, 1.0F}}) vertex(x, y);
     hook::End(*context_);
     real.Finish();
+  }
+  // Small triangles side by side, which cover the window. They are not counted before the end.
+  void draw_grid(int rows, int columns, bool memory_at_the_end) {
+    hook::Begin(*context_, GL_TRIANGLES);
+    for (int row = 0; row < rows; ++row) {
+      for (int column = 0; column < columns; ++column) {
+        const auto x = [&](int step) {
+          return 2.0F * static_cast<float>(column + step) / static_cast<float>(columns) - 1;
+        };
+        const auto y = [&](int step) { return 2.0F * static_cast<float>(row + step) / static_cast<float>(rows) - 1; };
+        for (const auto& [right, up] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}})
+          vertex(x(right), y(up));
+      }
+    }
+    no_memory = !memory_at_the_end;
+    hook::End(*context_);
+    no_memory = false;
+    real.Finish();
+  }
+  void vertex(float x, float y) {
+    real.Vertex2f(x, y);
+    context_->state().immediate().count(3);
   }
   int lit_pixels() const {
     int count = 0;
@@ -116,6 +137,31 @@ TEST_F(OutOfMemory, DrawWithoutRoomIsTheOriginal) {
   EXPECT_EQ(statistics().passed_through[static_cast<std::size_t>(Cause::out_of_memory)].load(), passed + 1);
   EXPECT_EQ(hook::GetError(*context_), GLenum{GL_NO_ERROR});
   EXPECT_GT(lit_pixels(), 1000);
+}
+
+// The room for the passes over a draw by glBegin is made at its end. Without memory, it is refined in parts.
+TEST_F(OutOfMemory, CountedDrawIsRefinedInParts) {
+  hook::ARKinit(*context_, 3);
+  hook::DepthTag1i(*context_, 2);
+  hook::Enable(*context_, GL_ARK);
+  for (const bool memory_at_the_end : {false, true}) {
+    SCOPED_TRACE(memory_at_the_end);
+    pixels_.fill(0);
+    const auto coarse = statistics().coarse_triangles.load();
+    draw_grid(100, 150, memory_at_the_end);
+    EXPECT_EQ(statistics().coarse_triangles.load(), coarse + 30000);
+    EXPECT_EQ(lit_pixels(), side * side);
+    EXPECT_EQ(hook::GetError(*context_), GLenum{GL_NO_ERROR});
+  }
+}
+
+TEST_F(OutOfMemory, OneTriangleTakesLittleMoreThanItsCapture) {
+  hook::ARKinit(*context_, 3);
+  hook::DepthTag1i(*context_, 2);
+  hook::Enable(*context_, GL_ARK);
+  allocated = 0;
+  draw_triangle();
+  EXPECT_LT(allocated, GLsizeiptr{48} << 20);
 }
 
 }  // namespace
