@@ -150,7 +150,7 @@ class Baker {
     model_.empty_charts = empty;
   }
 
-  // Normals of unit length. Scans without normals get those of the displaced surface.
+  // Normals in tangent space, of unit length. Scans without normals get those of the displaced surface.
   void set_normals(std::size_t c, bool is_empty) {
     ChartMap& map = maps_[c];
     if (!has_normals_ || is_empty) {
@@ -161,6 +161,7 @@ class Baker {
         set_normals_from_heights(charts_[c], atlas_.places[c], surface_, coverage, channels_, map.values);
     }
     normalise(map, charts_[c].vertex_normal);
+    to_tangent_space(charts_[c], atlas_.places[c], surface_, channels_, map.values);
   }
 
   void normalise(ChartMap& map, Vector instead) const {

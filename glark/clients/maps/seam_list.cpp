@@ -10,38 +10,50 @@
 namespace glark::maps {
 namespace {
 
-std::vector<Seam> seams_of(const Surface& surface, const std::vector<Chart>& charts, const Atlas& atlas) {
-  const std::vector<std::uint32_t> chart_of = chart_of_triangles(charts, surface);
-  const auto side = [&](std::uint32_t t, std::uint32_t from, std::uint32_t to) {
-    const std::uint32_t c = chart_of[t];
-    const auto texel = [&](std::uint32_t vertex) {
-      return atlas.places[c].texel(charts[c], charts[c].project(surface.positions[vertex]));
-    };
-    return SeamSide{.chart = c, .from = texel(from), .to = texel(to)};
-  };
+struct SeamList {
   std::vector<Seam> seams;
-  for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t neighbour = surface.neighbours[t][k];
-      if (neighbour == none || neighbour < t || chart_of[neighbour] == chart_of[t]) continue;
-      const std::uint32_t from = surface.triangles[t][k];
-      const std::uint32_t to = surface.triangles[t][(k + 1) % 3];
-      seams.push_back({side(t, from, to), side(neighbour, from, to)});
-    }
-  }
-  return seams;
-}
+  std::vector<SeamFrames> frames;  // [seams]
+};
 
-// Eight bits tell the direction of a short normal badly.
-void limit_normals(ChartMap& map, unsigned channels) {
-  constexpr float least = 0.5F, most = 1.2F;
-  for (std::size_t at = 0; at < map.weights.size(); ++at) {
-    float* n = map.values.data() + at * channels + normal_channel;
-    const float length = std::hypot(n[0], n[1], n[2]);
-    if (!(length > 0) || (length >= least && length <= most)) continue;
-    for (std::size_t k = 0; k < 3; ++k) n[k] /= length;
+// The edges between charts.
+class Collector {
+ public:
+  Collector(const Surface& surface, const std::vector<Chart>& charts, const Atlas& atlas)
+      : surface_(surface), charts_(charts), atlas_(atlas), chart_of_(chart_of_triangles(charts, surface)) {}
+
+  SeamList list() const {
+    SeamList list;
+    for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t other = surface_.neighbours[t][k];
+        if (other == none || other < t || chart_of_[other] == chart_of_[t]) continue;
+        const Ends ends{surface_.triangles[t][k], surface_.triangles[t][(k + 1) % 3]};
+        list.seams.push_back({side(chart_of_[t], ends), side(chart_of_[other], ends)});
+        list.frames.push_back({{surface_.normals[ends[0]], surface_.normals[ends[1]]},
+                               {tangents(chart_of_[t], ends), tangents(chart_of_[other], ends)}});
+      }
+    }
+    return list;
   }
-}
+
+ private:
+  using Ends = std::array<std::uint32_t, 2>;
+
+  SeamSide side(std::uint32_t c, const Ends& ends) const {
+    const auto texel = [&](std::uint32_t vertex) {
+      return atlas_.places[c].texel(charts_[c], charts_[c].project(surface_.positions[vertex]));
+    };
+    return {.chart = c, .from = texel(ends[0]), .to = texel(ends[1])};
+  }
+  std::array<Vector, 2> tangents(std::uint32_t c, const Ends& ends) const {
+    return {tangent_at(charts_[c], surface_.normals[ends[0]]), tangent_at(charts_[c], surface_.normals[ends[1]])};
+  }
+
+  const Surface& surface_;
+  const std::vector<Chart>& charts_;
+  const Atlas& atlas_;
+  std::vector<std::uint32_t> chart_of_;
+};
 
 }  // namespace
 
@@ -49,8 +61,8 @@ void equalise_seams(const Surface& surface, const std::vector<Chart>& charts, co
                     std::vector<ChartMap>& maps) {
   std::vector<ChartImage> images;
   for (ChartMap& map : maps) images.push_back({map.width, map.height, map.values});
-  equalise(images, channels, seams_of(surface, charts, atlas), {});
-  for (ChartMap& map : maps) limit_normals(map, channels);
+  const SeamList list = Collector(surface, charts, atlas).list();
+  equalise(images, channels, list.seams, {}, list.frames);
 }
 
 }  // namespace glark::maps

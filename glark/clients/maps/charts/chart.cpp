@@ -93,4 +93,9 @@ void lay_out(Chart& chart, const Surface& surface) {
   find_guests(chart, surface);
 }
 
+Vector tangent_at(const Chart& chart, Vector normal) {
+  const Vector tangent = common::unit(chart.u - normal * common::dot(chart.u, normal));
+  return common::is_zero(tangent) ? chart.v : tangent;
+}
+
 }  // namespace glark::maps

@@ -31,4 +31,7 @@ struct Chart {
 // Sets the frame, the guests and the rectangle of a chart from its triangles.
 void lay_out(Chart& chart, const Surface& surface);
 
+// The direction in which the first texture coordinate grows, at a vertex of a chart.
+Vector tangent_at(const Chart& chart, Vector normal);
+
 }  // namespace glark::maps

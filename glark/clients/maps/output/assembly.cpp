@@ -7,12 +7,8 @@
 #include <limits>
 #include <unordered_map>
 
-#include "glark/clients/maps/project/coverage.h"
-
 namespace glark::maps {
 namespace {
-
-using common::unit;
 
 constexpr std::array<std::uint8_t, 3> flat_normal{128, 128, 255};  // of texels that no chart has
 
@@ -20,17 +16,9 @@ std::uint8_t to_byte(float value) {
   return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0F, 1.0F) * 255));
 }
 
-// Turns a normal into tangent space. The shader's frame is the same: normal and tangent are interpolated and scaled to
-// unit length, and the bitangent is their cross product. The result keeps its length if it can be stored: lengths that
-// differ from 1 make both sides of a seam agree after filtering, and the shader scales the sum to unit length.
-Vector to_tangent_space(Vector n, Vector normal, Vector tangent) {
-  const Vector bitangent = unit(common::cross(normal, tangent));
-  const float skew = common::dot(normal, tangent);
-  const float along_normal = common::dot(n, normal);
-  const float along_tangent = common::dot(n, tangent);
-  const float determinant = std::max(1 - skew * skew, 1e-6F);
-  const Vector local{(along_tangent - skew * along_normal) / determinant, common::dot(n, bitangent),
-                     (along_normal - skew * along_tangent) / determinant};
+// A normal of the map. It keeps its length if it can be stored: lengths that differ from 1 make both sides of a seam agree
+// after filtering, and the shader scales the sum to unit length.
+Vector limited(Vector local) {
   if (common::is_zero(local)) return {0, 0, 1};
   return local * (1 / std::max({1.0F, std::abs(local.x), std::abs(local.y), std::abs(local.z)}));
 }
@@ -79,17 +67,15 @@ class Assembly {
   }
 
   void add_maps(std::size_t c) {
-    const Chart& chart = in_.charts[c];
     const Place& place = in_.atlas.places[c];
     const ChartMap& map = in_.maps[c];
-    const Coverage coverage = nearest_places(chart, place, in_.surface);
     for (std::size_t y = 0; y < place.height; ++y) {
       for (std::size_t x = 0; x < place.width; ++x) {
         const std::size_t at = y * place.width + x;
         // The first row of a picture is the highest one.
         const std::size_t to = std::size_t{place.y + place.height - 1 - y} * model_.width + place.x + x;
         const float* values = map.values.data() + at * in_.channels;
-        const Vector normal = local_normal(chart, coverage, at, {values[0], values[1], values[2]});
+        const Vector normal = limited({values[0], values[1], values[2]});
         for (std::size_t k = 0; k < 3; ++k) model_.normal_map[3 * to + k] = to_byte(normal[k] / 2 + 0.5F);
         model_.displacement_map[to] = code_of_height(values[height_channel]);
         if (!model_.colour_map.empty())
@@ -121,28 +107,11 @@ class Assembly {
     return static_cast<std::uint16_t>(std::lround(std::clamp(part, 0.0, 1.0) * 65535));
   }
 
-  Vector local_normal(const Chart& chart, const Coverage& coverage, std::size_t at, Vector n) const {
-    const std::uint32_t t = coverage.triangles[at];
-    if (t == none) return to_tangent_space(n, chart.vertex_normal, tangent_at(chart, chart.vertex_normal));
-    Vector normal, tangent;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vector& of_vertex = in_.surface.normals[in_.surface.triangles[t][k]];
-      normal += of_vertex * coverage.weights[at][k];
-      tangent += tangent_at(chart, of_vertex) * coverage.weights[at][k];
-    }
-    return to_tangent_space(n, unit(normal), unit(tangent));
-  }
-
   const Charts& in_;
   Baked& model_;
 };
 
 }  // namespace
-
-Vector tangent_at(const Chart& chart, Vector normal) {
-  const Vector tangent = unit(chart.u - normal * common::dot(chart.u, normal));
-  return common::is_zero(tangent) ? chart.v : tangent;
-}
 
 void assemble(const Charts& charts, const common::Workers& workers, Baked& model) {
   Assembly assembly(charts, model);

@@ -25,7 +25,4 @@ struct Charts {
 // Sets the mesh and the maps of `model`.
 void assemble(const Charts& charts, const common::Workers& workers, Baked& model);
 
-// The direction in which the first texture coordinate grows, at a vertex of a chart.
-Vector tangent_at(const Chart& chart, Vector normal);
-
 }  // namespace glark::maps

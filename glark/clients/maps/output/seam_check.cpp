@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "glark/clients/maps/charts/segmentation.h"
+#include "glark/clients/maps/charts/tangent_frame.h"
 
 namespace glark::maps {
 namespace {
@@ -34,12 +35,10 @@ class Reader {
     const Point2 a = texel_of(from);
     const Point2 b = texel_of(to);
     const Point2 at{a[0] + s * (b[0] - a[0]), a[1] + s * (b[1] - a[1])};
-    const Vector normal = common::unit(mix(model_.normals, 3, from, to, s));
-    const Vector tangent = common::unit(mix(model_.tangents, 4, from, to, s));
-    const Vector bitangent = common::unit(common::cross(normal, tangent));
-    Vector local = colour_at(model_.normal_map, at) * 2.0F - Vector{1, 1, 1};
+    const TangentFrame frame =
+        TangentFrame::of(mix(model_.normals, 3, from, to, s), mix(model_.tangents, 4, from, to, s));
     Seen seen;
-    seen.normal = common::unit(tangent * local.x + bitangent * local.y + normal * local.z);
+    seen.normal = common::unit(frame.to_world(colour_at(model_.normal_map, at) * 2.0F - Vector{1, 1, 1}));
     if (!model_.colour_map.empty()) seen.colour = colour_at(model_.colour_map, at);
     seen.height = filtered(at, [&](std::size_t i) { return static_cast<float>(model_.displacement_map[i]) / 65535; }) *
                   model_.scale;

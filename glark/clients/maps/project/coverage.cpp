@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "glark/clients/maps/charts/tangent_frame.h"
 #include "glark/clients/maps/project/chart_map.h"
 
 namespace glark::maps {
@@ -141,6 +142,25 @@ void set_normals_from_heights(const Chart& chart, const Place& place, const Surf
       }
       for (std::size_t k = 0; k < 3; ++k) values[at * channels + normal_channel + k] = normal[k];
     }
+  }
+}
+
+void to_tangent_space(const Chart& chart, const Place& place, const Surface& surface, unsigned channels,
+                      std::vector<float>& values) {
+  const Coverage coverage = nearest_places(chart, place, surface);
+  for (std::size_t at = 0; at < coverage.triangles.size(); ++at) {
+    Vector normal = chart.vertex_normal, tangent = tangent_at(chart, normal);
+    if (const std::uint32_t t = coverage.triangles[at]; t != none) {
+      normal = tangent = {};
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Vector& of_vertex = surface.normals[surface.triangles[t][k]];
+        normal += of_vertex * coverage.weights[at][k];
+        tangent += tangent_at(chart, of_vertex) * coverage.weights[at][k];
+      }
+    }
+    float* n = values.data() + at * channels + normal_channel;
+    const Vector local = TangentFrame::of(normal, tangent).to_local({n[0], n[1], n[2]});
+    for (std::size_t k = 0; k < 3; ++k) n[k] = local[k];
   }
 }
 

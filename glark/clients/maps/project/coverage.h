@@ -30,4 +30,8 @@ void set_coarse_normals(const Chart& chart, const Surface& surface, const Covera
 void set_normals_from_heights(const Chart& chart, const Place& place, const Surface& surface, const Coverage& coverage,
                               unsigned channels, std::vector<float>& values);
 
+// Turns the normals of a chart into its tangent space, as the shader will turn them back. values: as in ChartMap.
+void to_tangent_space(const Chart& chart, const Place& place, const Surface& surface, unsigned channels,
+                      std::vector<float>& values);
+
 }  // namespace glark::maps

@@ -44,15 +44,24 @@ inline BilinearSample sample_at(const ChartImage& chart, const SeamSide& side, f
 
 inline float length(const SeamSide& side) { return std::hypot(side.to[0] - side.from[0], side.to[1] - side.from[1]); }
 
-// Calls visit(sample of a, sample of b) along the seam, both ends included.
+// Calls visit(part of the way, sample of a, sample of b) along the seam, both ends included.
 template <class Visit>
 void for_samples(std::span<const ChartImage> charts, const Seam& seam, float samples_per_texel, const Visit& visit) {
   const float texels = std::max(length(seam.a), length(seam.b));
   const auto steps = static_cast<std::size_t>(std::ceil(texels * samples_per_texel));
   for (std::size_t i = 0; i <= steps; ++i) {
     const float t = steps == 0 ? 0.0F : static_cast<float>(i) / static_cast<float>(steps);
-    visit(sample_at(charts[seam.a.chart], seam.a, t), sample_at(charts[seam.b.chart], seam.b, t));
+    visit(t, sample_at(charts[seam.a.chart], seam.a, t), sample_at(charts[seam.b.chart], seam.b, t));
   }
+}
+
+// Calls visit(seam, part of the way, sample of a, sample of b) for all samples, in the order of the seams.
+template <class Visit>
+void for_all_samples(std::span<const ChartImage> charts, std::span<const Seam> seams, float samples_per_texel,
+                     const Visit& visit) {
+  for (std::size_t i = 0; i < seams.size(); ++i)
+    for_samples(charts, seams[i], samples_per_texel,
+                [&](float part, const BilinearSample& a, const BilinearSample& b) { visit(i, part, a, b); });
 }
 
 }  // namespace glark::maps

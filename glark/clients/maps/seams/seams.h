@@ -9,6 +9,8 @@
 #include <span>
 #include <vector>
 
+#include "glark/clients/maps/charts/tangent_frame.h"
+
 namespace glark::maps {
 
 // An edge in one chart, from one end to the other. The ends are in texels: the centre of texel (i, j) is at
@@ -21,6 +23,12 @@ struct SeamSide {
 // The two sides of an edge, in the same direction. They may lie in the same chart.
 struct Seam {
   SeamSide a, b;
+};
+
+// What the shader interpolates along a seam, at its two ends.
+struct SeamFrames {
+  std::array<Vector, 2> normals;                  // the same on both sides
+  std::array<std::array<Vector, 2>, 2> tangents;  // [side][end]
 };
 
 // A chart's texels, row by row; the values of a texel lie together.
@@ -45,8 +53,9 @@ struct SeamDifferences {
 SeamDifferences seam_jumps(std::span<const ChartImage> charts, unsigned channels, std::span<const Seam> seams);
 
 // Changes the texels next to seams, so that bilinear samples along a seam are the same on both sides. All other texels
-// stay. Returns the differences that are left.
+// stay. frames: [seams] if the first three channels are normals in tangent space, which are made the same in the space of
+// the positions; otherwise empty. Returns the differences of the channels that are left.
 SeamDifferences equalise(std::span<const ChartImage> charts, unsigned channels, std::span<const Seam> seams,
-                         const SeamOptions& options = {});
+                         const SeamOptions& options = {}, std::span<const SeamFrames> frames = {});
 
 }  // namespace glark::maps

@@ -30,16 +30,16 @@ class TouchedTexels {
     const std::size_t at = first_[chart] + texel;
     bits_[at / 64] |= std::uint64_t{1} << at % 64;
   }
-  // After the last insertion: numbers the texels. Returns their number.
-  std::size_t finish() {
+  // After the last insertion: numbers the texels.
+  void finish() {
     before_.clear();
-    std::size_t count = 0;
+    size_ = 0;
     for (const std::uint64_t bits : bits_) {
-      before_.push_back(static_cast<std::uint32_t>(count));
-      count += static_cast<std::size_t>(std::popcount(bits));
+      before_.push_back(static_cast<std::uint32_t>(size_));
+      size_ += static_cast<std::size_t>(std::popcount(bits));
     }
-    return count;
   }
+  std::size_t size() const { return size_; }
   bool contains(std::uint32_t chart, std::size_t texel) const {
     const std::size_t at = first_[chart] + texel;
     return (bits_[at / 64] >> at % 64 & 1U) != 0;
@@ -67,6 +67,7 @@ class TouchedTexels {
   std::vector<std::size_t> first_;     // of each chart: its texels' first bit
   std::vector<std::uint64_t> bits_;    // of the texels of all charts
   std::vector<std::uint32_t> before_;  // for each word of bits: the members before it
+  std::size_t size_ = 0;
 };
 
 }  // namespace glark::maps
