@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 #include <glark/maps.h>
+#include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
 #include <filesystem>
@@ -169,7 +170,8 @@ void bind_model(py::module_& module) {
       .def_readonly("texels", &Baked::texels, "texels of charts")
       .def_readonly("filled", &Baked::filled, "texels that got their values by diffusion")
       .def_readonly("reach", &Baked::reach, "the reach that was used")
-      .def_readonly("seams", &Baked::seams, "the differences along the seams of charts");
+      .def_readonly("seams", &Baked::seams, "the differences along the seams of charts, in the first mipmap level")
+      .def_readonly("mip_seams", &Baked::mip_seams, "a list: in the second mipmap level and the third one");
 }
 
 void bind_bake(py::module_& module) {

@@ -82,7 +82,7 @@ struct Jump {
 };
 
 // The differences of the two sides along the edges where two charts of the maps meet, as a shader sees them: bilinear
-// filtering of the first mipmap level, two places a texel.
+// filtering of one mipmap level, two places a texel.
 struct SeamJumps {
   Jump colour;            // of the channel that differs most, 0 to 1
   Jump normal;            // degrees
@@ -109,7 +109,8 @@ struct Baked {
   std::size_t charts = 0, empty_charts = 0;  // charts, and those without any point
   std::uint64_t texels = 0, filled = 0;      // texels of charts, and those that got their values by diffusion
   double reach = 0;                          // the reach that was used
-  SeamJumps seams;
+  SeamJumps seams;                           // in the first mipmap level
+  std::vector<SeamJumps> mip_seams;  // in the second level and the third one, if a viewer takes means of four texels
 };
 
 // Bakes the maps of a coarse mesh. The source is read twice: first one point of several, which tell how many texels each

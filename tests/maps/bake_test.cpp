@@ -103,8 +103,14 @@ TEST(Bake, SeamsAgree) {
   const Baked model = bake_bumps();
   EXPECT_GT(model.seams.edges, 0U);
   EXPECT_LE(model.seams.colour.greatest, 2.0F / 255);
-  EXPECT_LE(model.seams.normal.greatest, 2);
+  EXPECT_LE(model.seams.normal.greatest, 1);
   EXPECT_LE(model.seams.displacement.greatest, model.scale / 2000);
+  ASSERT_EQ(model.mip_seams.size(), 2U);
+  for (const SeamJumps& jumps : model.mip_seams) {
+    EXPECT_EQ(jumps.edges, model.seams.edges);
+    EXPECT_LE(jumps.colour.root_mean_square, 1.0F / 255);
+    EXPECT_LE(jumps.normal.root_mean_square, 1);
+  }
 }
 
 TEST(Bake, ResultDoesNotDependOnThreads) {

@@ -211,5 +211,88 @@ TEST(Equalise, ResultIsTheSameEachTime) {
   for (unsigned k = 0; k < 2; ++k) EXPECT_EQ(first[k].values, second[k].values);
 }
 
+// The means of blocks of texels, as a mipmap level has them.
+TurnedChart level_of(const TurnedChart& chart, unsigned level) {
+  TurnedChart means = chart;
+  const unsigned block = 1U << level;
+  means.width /= block;
+  means.height /= block;
+  means.values.assign(std::size_t{means.width} * means.height * chart.channels, 0);
+  for (unsigned y = 0; y < means.height * block; ++y)
+    for (unsigned x = 0; x < means.width * block; ++x)
+      for (unsigned c = 0; c < chart.channels; ++c)
+        means.values[(y / block * means.width + x / block) * chart.channels + c] +=
+            chart.values[(y * chart.width + x) * chart.channels + c] / static_cast<float>(block * block);
+  return means;
+}
+
+// The greatest difference in each of three levels.
+std::array<float, 3> jumps_in_levels(const std::vector<TurnedChart>& charts, const Seam& seam) {
+  std::array<float, 3> jumps{};
+  for (unsigned level = 0; level < 3; ++level) {
+    std::vector<TurnedChart> means{level_of(charts[0], level), level_of(charts[1], level)};
+    std::vector<Seam> scaled{seam};
+    for (SeamSide* side : {&scaled[0].a, &scaled[0].b})
+      for (auto* end : {&side->from, &side->to})
+        for (float& texel : *end) texel /= static_cast<float>(1U << level);
+    jumps.at(level) = greatest(seam_jumps(images(means), means[0].channels, scaled).greatest);
+  }
+  return jumps;
+}
+
+TEST(Equalise, ThreeLevelsAgree) {
+  // Heights are three more than widths; both must be multiples of four.
+  std::vector<TurnedChart> charts{{61, 2, 0, 1, smooth_function}, {89, 2, 30, 1.4F, smooth_function}};
+  for (TurnedChart& chart : charts) {
+    std::vector<float> narrower;
+    const unsigned width = chart.width / 4 * 4;
+    for (std::size_t y = 0; y < chart.height; ++y) {
+      const float* row = chart.values.data() + y * chart.width * chart.channels;
+      narrower.insert(narrower.end(), row, row + std::size_t{width} * chart.channels);
+    }
+    chart.values = narrower;
+    chart.width = width;
+  }
+  for (float& value : charts[1].values) value += 0.2F;
+  add_noise(charts[0], 0.05F, 7);
+  const Seam seam = seam_of(charts, 0, 1, {-20, -3}, {20, 4});
+  std::vector<TurnedChart> first_level = charts;
+  equalise(images(first_level), 2, std::vector<Seam>{seam});
+  EXPECT_GT(jumps_in_levels(first_level, seam)[2], 0.1F);
+  equalise(images(charts), 2, std::vector<Seam>{seam}, {.levels = 3});
+  const std::array<float, 3> left = jumps_in_levels(charts, seam);
+  EXPECT_LE(left[0], one_step_of_8_bits);
+  EXPECT_LE(left[1], 0.03F);
+  EXPECT_LE(left[2], 0.06F);
+}
+
+// Two charts of one flat surface whose tangents differ by an angle: a normal has other coordinates in each.
+TEST(Equalise, NormalsAgreeInTheSpaceOfThePositions) {
+  const float angle = 40 * 3.14159265F / 180;
+  const auto tilted = [](Point p, unsigned channel) {
+    const Vector n = common::unit(Vector{0.3F * std::sin(0.2F * p[0]), 0.3F * std::cos(0.3F * p[1]), 1});
+    return n[channel];
+  };
+  const auto turned = [&](Point p, unsigned channel) {
+    const float x = tilted(p, 0), y = tilted(p, 1);
+    const float local[] = {x * std::cos(angle) + y * std::sin(angle), y * std::cos(angle) - x * std::sin(angle),
+                           tilted(p, 2)};
+    return local[channel];
+  };
+  std::vector<TurnedChart> charts{{60, 3, 0, 1, tilted}, {90, 3, 30, 1.4F, turned}};
+  add_noise(charts[0], 0.1F, 3);
+  const std::vector<Seam> seams{seam_of(charts, 0, 1, {-20, -3}, {20, 4})};
+  const Vector up{0, 0, 1}, along{1, 0, 0}, other{std::cos(angle), std::sin(angle), 0};
+  const std::vector<SeamFrames> frames{{{up, up}, {{{along, along}, {other, other}}}}};
+  equalise(images(charts), 3, seams, {}, frames);
+  // Turned back, both sides are the same.
+  for (std::size_t i = 0; i < charts[1].values.size(); i += 3) {
+    const float x = charts[1].values[i], y = charts[1].values[i + 1];
+    charts[1].values[i] = x * std::cos(angle) - y * std::sin(angle);
+    charts[1].values[i + 1] = x * std::sin(angle) + y * std::cos(angle);
+  }
+  EXPECT_LE(greatest(seam_jumps(images(charts), 3, seams).greatest), one_step_of_8_bits);
+}
+
 }  // namespace
 }  // namespace glark::maps::test

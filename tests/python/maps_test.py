@@ -49,6 +49,7 @@ class Maps(unittest.TestCase):
         self.assertGreater(model.reach, 0.4)
         self.assertGreater(model.seams.edges, 0)
         self.assertLessEqual(model.seams.normal.root_mean_square, model.seams.normal.greatest)
+        self.assertEqual([jumps.edges for jumps in model.mip_seams], 2 * [model.seams.edges])
 
     def test_files_give_what_arrays_give(self):
         glark.write(self.path("scan.ply"), self.points, self.points, numpy.full((5000, 3), 90, numpy.uint8))

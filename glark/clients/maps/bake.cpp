@@ -52,7 +52,9 @@ class Baker {
     model_.origin = origin_;
     model_.charts = charts_.size();
     assemble({surface_, charts_, atlas_, maps_, channels_}, workers_, model_);
-    model_.seams = check_seams(surface_, charts_, model_);
+    const std::vector<SeamJumps> jumps = check_seams(surface_, charts_, model_, kept_levels);
+    model_.seams = jumps.front();
+    model_.mip_seams.assign(jumps.begin() + 1, jumps.end());
     to_unit_of_mesh();
     report(1);
     return std::move(model_);
@@ -67,9 +69,10 @@ class Baker {
     const double unit = 1 / surface_.scale;
     const auto scaled = [unit](float length) { return static_cast<float>(static_cast<double>(length) * unit); };
     for (float& x : model_.positions) x = scaled(x);
-    for (float* length : {&model_.scale, &model_.bias, &model_.seams.displacement.greatest,
-                          &model_.seams.displacement.root_mean_square})
-      *length = scaled(*length);
+    for (float* length : {&model_.scale, &model_.bias}) *length = scaled(*length);
+    const auto scale_jump = [&](Jump& jump) { jump = {scaled(jump.greatest), scaled(jump.root_mean_square)}; };
+    scale_jump(model_.seams.displacement);
+    for (SeamJumps& jumps : model_.mip_seams) scale_jump(jumps.displacement);
     model_.reach *= unit;
   }
 

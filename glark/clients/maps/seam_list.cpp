@@ -62,7 +62,7 @@ void equalise_seams(const Surface& surface, const std::vector<Chart>& charts, co
   std::vector<ChartImage> images;
   for (ChartMap& map : maps) images.push_back({map.width, map.height, map.values});
   const SeamList list = Collector(surface, charts, atlas).list();
-  equalise(images, channels, list.seams, {}, list.frames);
+  equalise(images, channels, list.seams, {.levels = kept_levels, .first_level_channel = height_channel}, list.frames);
 }
 
 }  // namespace glark::maps

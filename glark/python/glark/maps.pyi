@@ -50,6 +50,7 @@ class Baked:
     filled: int
     reach: float
     seams: SeamJumps
+    mip_seams: list[SeamJumps]
 
 def bake(positions: ArrayLike, triangles: ArrayLike, source: Union[Path, FineMesh], *, normals: Optional[ArrayLike] = None,
          origin: Sequence[float] = (0, 0, 0), format: str = "", texture_memory: int = ..., most_side: int = ...,

@@ -16,6 +16,7 @@ namespace glark::maps {
 // A chart has this many texels around its rectangle. Places begin at multiples of it, so that one texel around each
 // chart is left in the second mipmap level.
 inline constexpr unsigned gutter = 4;
+inline constexpr unsigned kept_levels = 3;  // the first mipmap levels, in which no texel belongs to two charts
 
 struct Place {
   unsigned x = 0, y = 0;           // the first texel of the place in the maps

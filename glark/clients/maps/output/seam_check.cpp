@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <vector>
 
 #include "glark/clients/maps/charts/segmentation.h"
 #include "glark/clients/maps/charts/tangent_frame.h"
@@ -21,13 +23,51 @@ struct Seen {
   float height = 0;
 };
 
+// The maps in one mipmap level.
+struct MapsOfLevel {
+  std::size_t width = 0, height = 0;
+  std::span<const std::uint8_t> normals, colours;  // colours: may be empty
+  std::span<const std::uint16_t> heights;
+};
+
+// A level that has its own memory.
+class NextLevel {
+ public:
+  explicit NextLevel(const MapsOfLevel& from)
+      : normals_(half(from, from.normals, 3)),
+        colours_(half(from, from.colours, 3)),
+        heights_(half(from, from.heights, 1)) {
+    maps_ = {from.width / 2, from.height / 2, normals_, colours_, heights_};
+  }
+  const MapsOfLevel& maps() const { return maps_; }
+
+ private:
+  template <class Texel>
+  static std::vector<Texel> half(const MapsOfLevel& from, std::span<const Texel> texels, std::size_t channels) {
+    std::vector<Texel> means(texels.size() / 4);
+    const std::size_t width = from.width / 2, row = from.width * channels;
+    for (std::size_t i = 0; i < means.size(); ++i) {
+      const std::size_t x = i / channels % width, y = i / channels / width;
+      const std::size_t first = 2 * y * row + 2 * x * channels + i % channels;
+      const unsigned sum =
+          texels[first] + texels[first + channels] + texels[first + row] + texels[first + row + channels];
+      means[i] = static_cast<Texel>((sum + 2) / 4);
+    }
+    return means;
+  }
+
+  std::vector<std::uint8_t> normals_, colours_;
+  std::vector<std::uint16_t> heights_;
+  MapsOfLevel maps_;
+};
+
 class Reader {
  public:
-  explicit Reader(const Baked& model) : model_(model) {}
+  Reader(const Baked& model, const MapsOfLevel& maps) : model_(model), maps_(maps) {}
 
   Point2 texel_of(std::uint32_t vertex) const {
-    return {model_.texcoords[2 * std::size_t{vertex}] * static_cast<float>(model_.width),
-            model_.texcoords[2 * std::size_t{vertex} + 1] * static_cast<float>(model_.height)};
+    return {model_.texcoords[2 * std::size_t{vertex}] * static_cast<float>(maps_.width),
+            model_.texcoords[2 * std::size_t{vertex} + 1] * static_cast<float>(maps_.height)};
   }
 
   // Between two vertices, at the part s of the way.
@@ -38,10 +78,10 @@ class Reader {
     const TangentFrame frame =
         TangentFrame::of(mix(model_.normals, 3, from, to, s), mix(model_.tangents, 4, from, to, s));
     Seen seen;
-    seen.normal = common::unit(frame.to_world(colour_at(model_.normal_map, at) * 2.0F - Vector{1, 1, 1}));
-    if (!model_.colour_map.empty()) seen.colour = colour_at(model_.colour_map, at);
-    seen.height = filtered(at, [&](std::size_t i) { return static_cast<float>(model_.displacement_map[i]) / 65535; }) *
-                  model_.scale;
+    seen.normal = common::unit(frame.to_world(colour_at(maps_.normals, at) * 2.0F - Vector{1, 1, 1}));
+    if (!maps_.colours.empty()) seen.colour = colour_at(maps_.colours, at);
+    seen.height =
+        filtered(at, [&](std::size_t i) { return static_cast<float>(maps_.heights[i]) / 65535; }) * model_.scale;
     return seen;
   }
 
@@ -54,18 +94,18 @@ class Reader {
 
   template <class Texel>
   float filtered(Point2 at, const Texel& texel) const {
-    const float x = std::clamp(at[0] - 0.5F, 0.0F, static_cast<float>(model_.width) - 1.001F);
-    const float y = std::clamp(at[1] - 0.5F, 0.0F, static_cast<float>(model_.height) - 1.001F);
+    const float x = std::clamp(at[0] - 0.5F, 0.0F, static_cast<float>(maps_.width) - 1.001F);
+    const float y = std::clamp(at[1] - 0.5F, 0.0F, static_cast<float>(maps_.height) - 1.001F);
     const auto i = static_cast<std::size_t>(x);
     const auto j = static_cast<std::size_t>(y);
     const float fx = x - static_cast<float>(i);
     const float fy = y - static_cast<float>(j);
-    const std::size_t first = j * model_.width + i;
+    const std::size_t first = j * maps_.width + i;
     return (1 - fy) * ((1 - fx) * texel(first) + fx * texel(first + 1)) +
-           fy * ((1 - fx) * texel(first + model_.width) + fx * texel(first + model_.width + 1));
+           fy * ((1 - fx) * texel(first + maps_.width) + fx * texel(first + maps_.width + 1));
   }
 
-  Vector colour_at(const std::vector<std::uint8_t>& map, Point2 at) const {
+  Vector colour_at(std::span<const std::uint8_t> map, Point2 at) const {
     Vector colour;
     for (std::size_t k = 0; k < 3; ++k)
       colour[k] = filtered(at, [&](std::size_t i) { return static_cast<float>(map[3 * i + k]) / 255; });
@@ -73,6 +113,7 @@ class Reader {
   }
 
   const Baked& model_;
+  MapsOfLevel maps_;
 };
 
 // Collects differences.
@@ -106,11 +147,9 @@ struct AllDifferences {
   }
 };
 
-}  // namespace
-
-SeamJumps check_seams(const Surface& surface, const std::vector<Chart>& charts, const Baked& model) {
-  const std::vector<std::uint32_t> chart_of = chart_of_triangles(charts, surface);
-  const Reader reader(model);
+SeamJumps jumps_of(const Surface& surface, const std::vector<std::uint32_t>& chart_of, const Baked& model,
+                   const MapsOfLevel& maps) {
+  const Reader reader(model, maps);
   AllDifferences all;
   std::size_t edges = 0;
   const auto corner = [&](std::uint32_t t, std::uint32_t vertex) {
@@ -135,6 +174,22 @@ SeamJumps check_seams(const Surface& surface, const std::vector<Chart>& charts, 
     }
   }
   return {all.colour.jump(), all.normal.jump(), all.displacement.jump(), edges};
+}
+
+}  // namespace
+
+std::vector<SeamJumps> check_seams(const Surface& surface, const std::vector<Chart>& charts, const Baked& model,
+                                   unsigned levels) {
+  const std::vector<std::uint32_t> chart_of = chart_of_triangles(charts, surface);
+  std::vector<SeamJumps> jumps;
+  std::vector<NextLevel> next;
+  next.reserve(levels);
+  MapsOfLevel maps{model.width, model.height, model.normal_map, model.colour_map, model.displacement_map};
+  for (unsigned level = 0; level < levels; ++level) {
+    if (level > 0) maps = next.emplace_back(maps).maps();
+    jumps.push_back(jumps_of(surface, chart_of, model, maps));
+  }
+  return jumps;
 }
 
 }  // namespace glark::maps

@@ -39,7 +39,7 @@ std::pair<Weights, float> nearest_on_boundary(const Triangle2& triangle, Point2 
   return {best, least};
 }
 
-constexpr int margin = 2;  // texels
+constexpr int margin = 8;  // texels
 
 // Calls visit(index, centre) for the texels in the box around a triangle, and in the margin around the box.
 template <class Visit>

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -42,6 +43,9 @@ struct SeamOptions {
   float samples_per_texel = 3;  // along a seam, of the side with more texels
   float fidelity = 1e-4F;       // the weight of a texel's change
   float smoothness = 1e-3F;     // the weight of the difference between the changes of two neighbouring texels
+  unsigned levels = 1;          // mipmap levels that shall agree, the first one best
+  float mip_fidelity = 0.3F;    // as `fidelity`, in the levels after the first one
+  std::optional<unsigned> first_level_channel;  // a channel that shall agree in the first level only
 };
 
 // Differences of bilinear samples along all seams, for each channel.
@@ -52,9 +56,10 @@ struct SeamDifferences {
 // Measures the differences of the two sides, eight samples a texel.
 SeamDifferences seam_jumps(std::span<const ChartImage> charts, unsigned channels, std::span<const Seam> seams);
 
-// Changes the texels next to seams, so that bilinear samples along a seam are the same on both sides. All other texels
-// stay. frames: [seams] if the first three channels are normals in tangent space, which are made the same in the space of
-// the positions; otherwise empty. Returns the differences of the channels that are left.
+// Changes the texels next to seams, so that bilinear samples along a seam are the same on both sides. Texels farther away
+// than the last level's filter stay. frames: [seams] if the first three channels are normals in tangent space, which are
+// made the same in the space of the positions; otherwise empty. With several levels, the sides of charts must be multiples
+// of two to the power of the last level. Returns the differences of the channels that are left.
 SeamDifferences equalise(std::span<const ChartImage> charts, unsigned channels, std::span<const Seam> seams,
                          const SeamOptions& options = {}, std::span<const SeamFrames> frames = {});
 

@@ -127,6 +127,10 @@ Report report_of(const maps::Baked& model, double noise) {
   add("seam_colour_of_255", model.seams.colour, 255);
   add("seam_normal_degrees", model.seams.normal, 1);
   add("seam_displacement", model.seams.displacement, 1);
+  for (std::size_t i = 0; i < model.mip_seams.size(); ++i) {
+    add(fmt::format("seam_colour_of_255_level_{}", i + 1), model.mip_seams[i].colour, 255);
+    add(fmt::format("seam_normal_degrees_level_{}", i + 1), model.mip_seams[i].normal, 1);
+  }
   return report;
 }
 
