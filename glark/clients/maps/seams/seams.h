@@ -45,7 +45,7 @@ struct SeamOptions {
   float smoothness = 1e-3F;     // the weight of the difference between the changes of two neighbouring texels
   unsigned levels = 1;          // mipmap levels that shall agree, the first one best
   float mip_fidelity = 0.3F;    // as `fidelity`, in the levels after the first one
-  std::optional<unsigned> first_level_channel;  // a channel that shall agree in the first level only
+  std::optional<unsigned> first_level_channel = {};  // a channel that shall agree in the first level only
 };
 
 // Differences of bilinear samples along all seams, for each channel.
