@@ -6,15 +6,17 @@ import typing
 
 import numpy
 
-HALF_OPENING = math.radians(20)
+OPENING_DEGREES = 40
+HALF_OPENING = math.radians(OPENING_DEGREES / 2)
 LIGHT_RIGHT, LIGHT_ABOVE = math.radians(16.7), math.radians(25.6)
-COLOUR = (0.78, 0.76, 0.72)  # of models without colours, as shown
 WIDTH, HEIGHT = 1024, 768
+YAWS, PITCH = range(30, 390, 45), 20  # of the eight views, in degrees
 
 
 class Camera(typing.NamedTuple):
     position: tuple
     target: tuple
+    up: tuple
     distance: float
     radius: float
 
@@ -27,15 +29,17 @@ class Camera(typing.NamedTuple):
         return self.distance + self.radius
 
 
-def camera_of(points: numpy.ndarray, yaw: float, pitch: float, zoom: float = 1, target=None) -> Camera:
-    """Circles around the middle of the points, or the target; degrees. The y axis points up."""
+def camera_of(points: numpy.ndarray, yaw: float, pitch: float, up: str = "y") -> Camera:
+    """Circles around the middle of the points; degrees. The upright axis is y or z."""
     low, high = points.min(axis=0).astype(float), points.max(axis=0).astype(float)
-    middle = (low + high) / 2 if target is None else numpy.array(target, float)
+    middle = (low + high) / 2
     radius = float(numpy.linalg.norm(high - low)) / 2
-    distance = radius / math.sin(HALF_OPENING) / zoom
+    distance = radius / math.sin(HALF_OPENING)
     yaw, pitch = math.radians(yaw), math.radians(pitch)
     back = numpy.array([math.cos(pitch) * math.sin(yaw), math.sin(pitch), math.cos(pitch) * math.cos(yaw)])
-    return Camera(tuple(middle + distance * back), tuple(middle), distance, radius)
+    if up == "z":
+        back = numpy.array([back[0], -back[2], back[1]])
+    return Camera(tuple(middle + distance * back), tuple(middle), (0, 0, 1) if up == "z" else (0, 1, 0), distance, radius)
 
 
 def direction_to_light() -> tuple:

@@ -93,8 +93,8 @@ def job_of(models: dict, views: list) -> dict:
     return {
         "models": list(models), "width": SAMPLES * camera.WIDTH, "height": SAMPLES * camera.HEIGHT,
         "light": LIGHT, "ambient": AMBIENT, "direction_to_light": camera.direction_to_light(),
-        "views": [{"position": view.position, "target": view.target, "near": view.near, "far": view.far,
-                   "opening": 2 * math.degrees(camera.HALF_OPENING)} for view in views],
+        "views": [{"position": view.position, "target": view.target, "up": view.up, "near": view.near,
+                   "far": view.far, "opening": camera.OPENING_DEGREES} for view in views],
     }
 
 

@@ -1,7 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
 """The displaced surface of a model of glark bake as plain triangles, for viewers that have no displacement mapping."""
-import copy
 import io
 import pathlib
 
@@ -41,9 +40,13 @@ def bilinear(heights: numpy.ndarray, places: numpy.ndarray) -> numpy.ndarray:
     return upper * (1 - part[:, 1]) + lower * part[:, 1]
 
 
+def unit(vectors: numpy.ndarray) -> numpy.ndarray:
+    return vectors / numpy.maximum(numpy.linalg.norm(vectors, axis=1, keepdims=True), 1e-20)
+
+
 def displace(model: glb.Glb, heights: numpy.ndarray, divisions: int = DIVISIONS) -> dict:
-    """Attributes and triangles. heights: 0 to 1. The normals stay those of the coarse mesh: the normal map is relative
-    to them."""
+    """Attributes and triangles. heights: 0 to 1. Normals and tangents stay those of the coarse mesh, because the normal
+    map is relative to them."""
     weights, parts = pattern(divisions)
     corners = model.triangles()
 
@@ -54,35 +57,18 @@ def displace(model: glb.Glb, heights: numpy.ndarray, divisions: int = DIVISIONS)
     arrays = {name: refined(name) for name in ("POSITION", "NORMAL", "TANGENT", "TEXCOORD_0")}
     to_height = model.material["extras"]["displacement"]
     height = to_height["scale"] * bilinear(heights, arrays["TEXCOORD_0"]) + to_height["bias"]
-    normals = arrays["NORMAL"]
-    lengths = numpy.maximum(numpy.linalg.norm(normals, axis=1, keepdims=True), 1e-20)
-    arrays["POSITION"] = arrays["POSITION"] + height[:, None] * normals / lengths
+    arrays["NORMAL"] = unit(arrays["NORMAL"])
+    arrays["TANGENT"][:, :3] = unit(arrays["TANGENT"][:, :3])
+    arrays["POSITION"] += height[:, None] * arrays["NORMAL"]
     first = numpy.arange(len(corners), dtype=numpy.uint32)[:, None, None] * numpy.uint32(len(weights))
     return {**arrays, "triangles": (parts[None] + first).reshape(-1, 3)}
 
 
 def with_geometry(model: glb.Glb, arrays: dict) -> glb.Glb:
     """The model with other attributes and triangles. Its pictures and material stay."""
-    gltf, binary = copy.deepcopy(model.gltf), bytearray(model.binary)
-    primitive = gltf["meshes"][0]["primitives"][0]
-
-    def add(values: numpy.ndarray, accessor: dict) -> int:
-        binary.extend(bytes(-len(binary) % 4))
-        gltf["bufferViews"].append({"buffer": 0, "byteOffset": len(binary), "byteLength": values.nbytes})
-        binary.extend(values.tobytes())
-        gltf["accessors"].append({"bufferView": len(gltf["bufferViews"]) - 1, **accessor})
-        return len(gltf["accessors"]) - 1
-
-    for name in primitive["attributes"]:
-        values = numpy.ascontiguousarray(arrays[name], numpy.float32)
-        accessor = {"componentType": 5126, "count": len(values), "type": f"VEC{values.shape[1]}"}
-        if name == "POSITION":
-            accessor |= {"min": values.min(axis=0).tolist(), "max": values.max(axis=0).tolist()}
-        primitive["attributes"][name] = add(values, accessor)
-    indices = numpy.ascontiguousarray(arrays["triangles"], numpy.uint32)
-    primitive["indices"] = add(indices, {"componentType": 5125, "count": indices.size, "type": "SCALAR"})
-    gltf["buffers"][0]["byteLength"] = len(binary)
-    return glb.Glb(gltf, bytes(binary))
+    for name in model.primitive["attributes"]:
+        model = model.with_new_array(name, arrays[name])
+    return model.with_triangles(arrays["triangles"])
 
 
 def read_heights(file: pathlib.Path) -> numpy.ndarray:

@@ -50,6 +50,30 @@ class Glb:
         data = numpy.ascontiguousarray(values, kind).tobytes()
         return Glb(self.gltf, self.binary[:start] + data + self.binary[start + len(data):])
 
+    def with_new_array(self, attribute: str, values: numpy.ndarray) -> "Glb":
+        """The same model with one more attribute, or another one of this name."""
+        gltf, binary = copy.deepcopy(self.gltf), self.binary + bytes(-len(self.binary) % 4)
+        values = numpy.ascontiguousarray(values, numpy.float32)
+        gltf["bufferViews"].append({"buffer": 0, "byteOffset": len(binary), "byteLength": values.nbytes, "target": 34962})
+        accessor = {"bufferView": len(gltf["bufferViews"]) - 1, "componentType": 5126, "count": len(values),
+                    "type": f"VEC{values.shape[1]}"}
+        if attribute == "POSITION":
+            accessor |= {"min": values.min(axis=0).tolist(), "max": values.max(axis=0).tolist()}
+        gltf["accessors"].append(accessor)
+        gltf["meshes"][0]["primitives"][0]["attributes"][attribute] = len(gltf["accessors"]) - 1
+        gltf["buffers"][0]["byteLength"] = len(binary) + values.nbytes
+        return Glb(gltf, binary + values.tobytes())
+
+    def with_triangles(self, triangles: numpy.ndarray) -> "Glb":
+        gltf, binary = copy.deepcopy(self.gltf), self.binary + bytes(-len(self.binary) % 4)
+        indices = numpy.ascontiguousarray(triangles, numpy.uint32)
+        gltf["bufferViews"].append({"buffer": 0, "byteOffset": len(binary), "byteLength": indices.nbytes, "target": 34963})
+        gltf["accessors"].append({"bufferView": len(gltf["bufferViews"]) - 1, "componentType": 5125, "count": indices.size,
+                                  "type": "SCALAR"})
+        gltf["meshes"][0]["primitives"][0]["indices"] = len(gltf["accessors"]) - 1
+        gltf["buffers"][0]["byteLength"] = len(binary) + indices.nbytes
+        return Glb(gltf, binary + indices.tobytes())
+
     def with_own_material(self) -> "Glb":
         """The same mesh with the material of glark bake, for meshes that have none or one per vertex colour."""
         gltf = copy.deepcopy(self.gltf)
