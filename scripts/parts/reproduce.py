@@ -8,6 +8,7 @@ import pathlib
 import subprocess
 
 import matplotlib
+import reproduce_maps
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plot  # noqa: E402
@@ -127,6 +128,7 @@ scripts/reproduce                # measures, draws, plots, and writes this page
 ```
 Figures of Boubekeur 2007. Machine: {machine}. The thesis had a GeForce 8800 GTX; llvmpipe is some hundred times slower, so ratios count.
 
+{maps}
 ## 7.13: uniform against adaptive refinement
 PN triangles; the tags are those at which no segment is longer on the screen than the longest of the uniform level. The thesis found 2.5 to 4.6 times
 the frame rate.
@@ -167,7 +169,12 @@ def main() -> None:
     parser.add_argument("--figures", type=pathlib.Path, required=True)
     parser.add_argument("--images", type=pathlib.Path, required=True)
     parser.add_argument("--page", type=pathlib.Path, required=True)
+    parser.add_argument("--only-maps", action="store_true", help="writes the section of chapter 6, and leaves the others")
     options = parser.parse_args()
+    maps = reproduce_maps.section(options.figures, options.images)
+    if options.only_maps:
+        options.page.write_text(reproduce_maps.replaced(options.page.read_text(), maps))
+        return
     figures = Figures(options.figures)
     adaptive = adaptive_figure(figures, options.images)
     input_size = line_figure(figures, options.images, "fig7.14", "fig7_14.png",
@@ -176,7 +183,7 @@ def main() -> None:
     sweep = line_figure(figures, options.images, "sweep", "sweep.png", {"refined_triangles": "triangles", "ms": "ms"})
     gallery, examples = copy_pictures(figures, options.images)
     options.page.write_text(PAGE.format(machine=figures.machine, adaptive=adaptive, input_size=input_size, sweep=sweep, gallery=gallery,
-                                        qas=qas_figure(figures, options.images), examples=examples))
+                                        maps=maps, qas=qas_figure(figures, options.images), examples=examples))
     print(f"{options.page} and {options.images}")
 
 

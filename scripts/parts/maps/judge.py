@@ -10,11 +10,15 @@ import sys
 import baking
 import camera
 import chromium
+import gallery
 import glb
 import pixels
+import tables
 import viewers
 from PIL import Image
 
+PAGE = pathlib.Path("docs/reference/maps.md")
+IMAGES = pathlib.Path("docs/images/maps")
 LEAST_GAIN = 2  # decibels by which the normal map must bring a picture nearer to the full surface, in every viewer
 
 
@@ -110,11 +114,20 @@ def main() -> None:
     parser.add_argument("--only", action="append", metavar="NAME", help="this data set; may be given several times")
     parser.add_argument("--install", action="store_true", help="installs what is missing first")
     parser.add_argument("--blender", action="store_true", help="bakes the normal maps with Blender, too")
-    judge = Judge(parser.parse_args())
+    parser.add_argument("--gallery", action="store_true", help=f"writes the pictures of {IMAGES}, and no figures")
+    parser.add_argument("--write", action="store_true", help=f"writes all figures of the folder into {PAGE}, too")
+    options = parser.parse_args()
+    judge = Judge(options)
     for models in judge.models():
+        if options.gallery:
+            models.bake()
+            gallery.write_rows(models, IMAGES)
+            continue
         result = judge.judge(models)
         (models.folder / "figures.json").write_text(json.dumps(result, indent=1))
         print_figures(models.data_set.name, result)
+    if options.write:
+        tables.write(PAGE, tables.read(options.folder, [one.name for one in baking.DATA_SETS]))
     for fault in judge.faults:
         print(f"maps: {fault}", file=sys.stderr)
     sys.exit(1 if judge.faults else 0)
