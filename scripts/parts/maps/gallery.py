@@ -30,7 +30,7 @@ class Row(typing.NamedTuple):
 
 
 ROWS = [
-    Row("igea", 30, 10, 1.4, 5),
+    Row("igea", 30, 10, 1.4, 3),
     Row("happy_stand_scans", 0, 10, 1.2, 5),
     Row("armadillo", 160, 10, 1.3, 4),
     Row("lion_takanawa", 20, 15, 1.6, 5),
