@@ -26,6 +26,7 @@ def load(file: str):
 def material_with(picture):
     material = bpy.data.materials.new("baked")
     material.use_nodes = True
+    material.use_backface_culling = True  # as glark bake: otherwise open meshes show their insides
     nodes, links = material.node_tree.nodes, material.node_tree.links
     surface = nodes["Principled BSDF"]
     surface.inputs["Metallic"].default_value = 0

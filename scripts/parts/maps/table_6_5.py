@@ -16,7 +16,6 @@ SCANS = {"Omphalos": (11664466, 45504), "Column": (22877845, 51012)}  # points, 
 PART = 1000000
 GOLDEN_ANGLE = 2.399963229728653
 SAMPLES_A_TRIANGLE = 5  # as glark bake takes
-FRAMES = 10, 40
 
 
 def height(direction: numpy.ndarray) -> numpy.ndarray:
@@ -65,13 +64,6 @@ def run(*command: object) -> dict:
     return {**report, "wall": time.perf_counter() - start}
 
 
-def frames_a_second(glark: pathlib.Path, model: pathlib.Path, folder: pathlib.Path) -> float:
-    """Of a film, with the time of its encoder. The start counts for nothing: it is in both films."""
-    walls = [run(glark, "view", model, "--maps", "normal", "--turntable", folder / "turn.mp4", "--frames", frames,
-                 "--width", 1600, "--height", 1200)["wall"] for frames in FRAMES]
-    return (FRAMES[1] - FRAMES[0]) / (walls[1] - walls[0])
-
-
 def measure(glark: pathlib.Path, folder: pathlib.Path, points: int, triangles: int) -> dict:
     scan, samples, strips, model = (folder / name for name in ("scan.ply", "samples.ply", "strips.ply", "model.glb"))
     write_scan(scan, points)
@@ -83,7 +75,7 @@ def measure(glark: pathlib.Path, folder: pathlib.Path, points: int, triangles: i
     texels = baking["width"] * baking["height"]
     return {"points": points, "simplification": sampling["wall"], "stripping": stripping["wall"], "total": baking["wall"],
             "charts": baking["charts"], "triangles": baking["triangles"], "texture_megabytes": texels * 3 * 4 / 3 / 1e6,
-            "peak_megabytes": baking["peak_memory_bytes"] / 1e6, "frames_a_second": frames_a_second(glark, model, folder)}
+            "peak_megabytes": baking["peak_memory_bytes"] / 1e6}
 
 
 def main() -> None:
