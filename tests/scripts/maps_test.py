@@ -84,9 +84,9 @@ class Models(unittest.TestCase):
         self.assertEqual([[0, 1, 2]], model.triangles().tolist())
         self.assertEqual([1, 0, 0], model.array("POSITION")[1].tolist())
 
-    def test_without_a_normal_map(self):
+    def test_without_maps(self):
         model = one_triangle()
-        self.assertNotIn("normalTexture", model.without_normal_map().material)
+        self.assertNotIn("normalTexture", model.without_maps().material)
         self.assertIn("normalTexture", model.material)
 
     def test_other_files_are_refused(self):

@@ -69,7 +69,7 @@ class Models:
         """Writes model, coarse, displaced and reference. Returns the reports of glark bake."""
         report = timed([self.glark, "bake", self.input, "-o", self.file("model"), "--triangles", self.data_set.triangles,
                         "--json"])
-        glb.read(self.file("model")).without_normal_map().write(self.file("coarse"))
+        glb.read(self.file("model")).without_maps().write(self.file("coarse"))
         displaced.write_displaced(self.file("model"), self.file("displaced"))
         self.write_reference("red" in self.points.dtype.names)
         again = timed([self.glark, "bake", self.input, "--mesh", self.file("coarse"), "-o", self.file("same_mesh"), "--json"])

@@ -81,10 +81,11 @@ class Glb:
         gltf["meshes"][0]["primitives"][0]["material"] = 0
         return Glb(gltf, self.binary)
 
-    def without_normal_map(self) -> "Glb":
+    def without_maps(self) -> "Glb":
         gltf = copy.deepcopy(self.gltf)
         coarse = Glb(gltf, self.binary)
         coarse.material.pop("normalTexture", None)
+        coarse.material.get("pbrMetallicRoughness", {}).pop("baseColorTexture", None)
         return coarse
 
     def image(self, texture: dict) -> bytes:

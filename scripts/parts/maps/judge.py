@@ -19,7 +19,7 @@ from PIL import Image
 
 PAGE = pathlib.Path("docs/reference/maps.md")
 IMAGES = pathlib.Path("docs/images/maps")
-LEAST_GAIN = 2  # decibels by which the normal map must bring a picture nearer to the full surface, in every viewer
+LEAST_GAIN = 2  # decibels by which the maps must bring a picture nearer to the full surface, in every viewer
 
 
 def figures_of(pairs: list) -> dict:
@@ -68,7 +68,7 @@ class Judge:
     def expect_gain(self, viewer: str, coarse: dict, mapped: dict) -> None:
         gain = mapped["object"] - coarse["object"]
         if gain < LEAST_GAIN:
-            self.faults.append(f"{viewer}: the normal map brings {gain:.2f} dB, expected {LEAST_GAIN} or more")
+            self.faults.append(f"{viewer}: the maps bring {gain:.2f} dB, expected {LEAST_GAIN} or more")
 
     def judge(self, models: baking.Models) -> dict:
         name = models.data_set.name
