@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include "glark/core/state/capabilities.h"
 #include "glark/gl/dispatch.h"

@@ -5,6 +5,7 @@
 // before it, so that a line that was not written to its end is found, and so is a line that was changed or left out.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
