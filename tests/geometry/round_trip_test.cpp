@@ -3,7 +3,12 @@
 //
 // Geometry that is written is read again, in every format, with every set of attributes of that format.
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <string>
 
 #include "tests/geometry/temporary_file.h"
 
@@ -115,6 +120,28 @@ TEST_F(RoundTrip, GlbIsWellFormed) {
   file.read(json.data(), static_cast<std::streamsize>(json.size()));
   for (const char* word : {"POSITION", "NORMAL", "COLOR_0", "TEXCOORD_0", "\"min\"", "\"max\""})
     EXPECT_NE(std::string::npos, json.find(word)) << word;
+}
+
+// glTF has linear colours at vertices.
+TEST_F(RoundTrip, GlbKeepsColoursAndHasThemLinear) {
+  Geometry geometry;
+  for (std::size_t i = 0; i < 258; ++i) {  // each value of a byte, in triangles of their own
+    geometry.positions.insert(geometry.positions.end(),
+                              {static_cast<float>(i / 3), static_cast<float>(i % 3 == 1), static_cast<float>(i % 3 == 2)});
+    const auto value = static_cast<std::uint8_t>(std::min<std::size_t>(i, 255));
+    geometry.colours.insert(geometry.colours.end(), {value, value, 188, 255});
+    geometry.triangles.push_back(static_cast<std::uint32_t>(i));
+  }
+  write_file(path("a.glb"), geometry);
+  const Geometry found = read_file(path("a.glb"), {}).geometry;
+  ASSERT_EQ(geometry.colours.size(), found.colours.size());
+  for (std::size_t i = 0; i < geometry.triangles.size(); ++i)
+    for (std::size_t k = 0; k < 4; ++k)
+      EXPECT_EQ(geometry.colours[4 * geometry.triangles[i] + k], found.colours[4 * found.triangles[i] + k]) << i;
+  std::ifstream file(path("a.glb"), std::ios::binary);
+  const std::string bytes(std::istreambuf_iterator<char>(file), {});
+  const std::array<std::uint16_t, 4> first{0, 0, 32957, 65535};  // 188 of 255 is half of the light
+  EXPECT_NE(std::string::npos, bytes.find(std::string(reinterpret_cast<const char*>(first.data()), sizeof(first))));
 }
 
 TEST_F(RoundTrip, LinkStaysALink) {

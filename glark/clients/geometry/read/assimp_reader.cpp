@@ -20,6 +20,7 @@
 #include "glark/clients/geometry/measure/topology.h"
 #include "glark/clients/geometry/read/gltf_check.h"
 #include "glark/clients/geometry/read/point_builder.h"
+#include "glark/clients/geometry/srgb.h"
 
 namespace glark::geometry {
 namespace {
@@ -77,8 +78,9 @@ std::string check_stl(const std::string& name, std::vector<char>& bytes) {
 
 class Scene {
  public:
-  Scene(std::string name, const aiScene& scene, const ReadOptions& options)
-      : name_(std::move(name)), scene_(scene), options_(options) {}
+  // linear: colours are linear, not as they are shown.
+  Scene(std::string name, const aiScene& scene, bool linear, const ReadOptions& options)
+      : name_(std::move(name)), scene_(scene), linear_(linear), options_(options) {}
 
   Reading gather() const {
     PointBuilder builder(name_, "vertex", attributes(), options_, ColourRange::fraction);
@@ -111,7 +113,7 @@ class Scene {
     return attributes;
   }
 
-  static void add_vertex(const aiMesh& mesh, unsigned index, PointBuilder& builder) {
+  void add_vertex(const aiMesh& mesh, unsigned index, PointBuilder& builder) const {
     Point point;
     const aiVector3D& position = mesh.mVertices[index];
     point.position = {position.x, position.y, position.z};
@@ -120,13 +122,15 @@ class Scene {
       point.texture_coordinate = {mesh.mTextureCoords[0][index].x, mesh.mTextureCoords[0][index].y};
     if (mesh.HasVertexColors(0)) {
       const aiColor4D& colour = mesh.mColors[0][index];
-      point.colour = {colour.r, colour.g, colour.b, std::max(0.0F, colour.a)};
+      const auto shown = [this](float value) { return linear_ ? srgb_from_linear(value) : value; };
+      point.colour = {shown(colour.r), shown(colour.g), shown(colour.b), std::max(0.0F, colour.a)};
     }
     builder.add_point(point, false);
   }
 
   std::string name_;
   const aiScene& scene_;
+  bool linear_;
   const ReadOptions& options_;
 };
 
@@ -164,7 +168,7 @@ Reading read_by_assimp(Input& input, MeshFormat format, const ReadOptions& optio
                             importer.GetErrorString()));
   if (format == MeshFormat::gltf) warning = check_gltf(input.name(), bytes);
   // Assimp could join vertices, too. But it treats vertices that are not finite as equal to all others.
-  Reading reading = Scene(input.name(), *scene, options).gather();
+  Reading reading = Scene(input.name(), *scene, format == MeshFormat::gltf, options).gather();
   importer.FreeScene();
   if (!warning.empty()) reading.warnings.push_back(warning);
   if (format == MeshFormat::stl)

@@ -5,6 +5,7 @@
 #include <limits>
 #include <sstream>
 
+#include "glark/clients/geometry/srgb.h"
 #include "glark/clients/geometry/write/writers.h"
 
 #include <tiny_gltf.h>
@@ -27,8 +28,7 @@ class Builder {
     primitive.attributes["POSITION"] = positions();
     if (!geometry_.normals.empty()) primitive.attributes["NORMAL"] = unit_normals();
     if (!geometry_.colours.empty())
-      primitive.attributes["COLOR_0"] = add(std::span<const std::uint8_t>(geometry_.colours), 4, TINYGLTF_TYPE_VEC4,
-                                            TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE);
+      primitive.attributes["COLOR_0"] = linear_colours();
     if (!geometry_.texture_coordinates.empty()) primitive.attributes["TEXCOORD_0"] = flipped_texture_coordinates();
     if (mesh) {
       primitive.indices = add(std::span<const std::uint32_t>(geometry_.triangles), 1, TINYGLTF_TYPE_SCALAR,
@@ -59,7 +59,7 @@ class Builder {
     tinygltf::Accessor& accessor = model_.accessors.emplace_back();
     accessor.bufferView = static_cast<int>(model_.bufferViews.size()) - 1;
     accessor.componentType = component;
-    accessor.normalized = component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE;
+    accessor.normalized = component == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT;
     accessor.type = type;
     accessor.count = values.size() / width;
     return static_cast<int>(model_.accessors.size()) - 1;
@@ -90,6 +90,16 @@ class Builder {
     return add(std::span<const float>(normals), 3, TINYGLTF_TYPE_VEC3, TINYGLTF_COMPONENT_TYPE_FLOAT);
   }
 
+  // 16 bits: dark colours need more than eight.
+  int linear_colours() {
+    std::vector<std::uint16_t> colours(geometry_.colours.size());
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+      const float part = static_cast<float>(geometry_.colours[i]) / 255;
+      colours[i] = static_cast<std::uint16_t>(std::lround(65535 * (i % 4 == 3 ? part : linear_from_srgb(part))));
+    }
+    return add(std::span<const std::uint16_t>(colours), 4, TINYGLTF_TYPE_VEC4, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT);
+  }
+
   // In glTF, t = 0 is the upper edge of the picture.
   int flipped_texture_coordinates() {
     std::vector<float> coordinates = geometry_.texture_coordinates;
@@ -107,7 +117,7 @@ void write_glb(OutputFile& file, const Geometry& geometry, const std::string& na
   constexpr double most = 4294967295.0;  // the format counts bytes in 32 bits
   const double bytes = 4.0 * static_cast<double>(geometry.positions.size() + geometry.normals.size() +
                                                  geometry.texture_coordinates.size() + geometry.triangles.size()) +
-                       static_cast<double>(geometry.colours.size());
+                       2.0 * static_cast<double>(geometry.colours.size());
   if (bytes > most - 65536) throw Error(name + ": GLB holds at most 4 GiB; write PLY, or simplify first");
   tinygltf::Model model = Builder(geometry).build();
   tinygltf::TinyGLTF writer;

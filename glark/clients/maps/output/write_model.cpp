@@ -120,9 +120,7 @@ class ModelBuilder {
     material.pbrMetallicRoughness.roughnessFactor = roughness;
     material.normalTexture.index =
         add_texture(png_of(std::span(baked_.normal_map), baked_.width, baked_.height), "normals");
-    if (!baked_.colour_map.empty())
-      material.pbrMetallicRoughness.baseColorTexture.index =
-          add_texture(png_of(std::span(baked_.colour_map), baked_.width, baked_.height), "colours");
+    material.pbrMetallicRoughness.baseColorTexture.index = add_texture(png_of_colours(), "colours");
     tinygltf::Value::Object displacement;
     displacement["uri"] = tinygltf::Value(displacement_name_);
     displacement["scale"] = tinygltf::Value(static_cast<double>(baked_.scale));
@@ -131,6 +129,13 @@ class ModelBuilder {
     extras["displacement"] = tinygltf::Value(displacement);
     material.extras = tinygltf::Value(extras);
     return 0;
+  }
+
+  // Viewers that are made with VTK, as f3d, show a normal map only beside a colour map.
+  std::string png_of_colours() const {
+    constexpr std::array<std::uint8_t, 3> white{255, 255, 255};
+    return baked_.colour_map.empty() ? png_of(std::span(white), 1, 1)
+                                     : png_of(std::span(baked_.colour_map), baked_.width, baked_.height);
   }
 
   const Baked& baked_;
