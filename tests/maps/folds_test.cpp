@@ -47,6 +47,32 @@ TEST(Unfold, CountsFoldsThatStay) {
   EXPECT_EQ(unfold(mesh), 1U);
 }
 
+// Three triangles around a vertex that lies outside of their outline. No flip is possible: all edges exist already.
+geometry::Geometry folded_fan() {
+  geometry::Geometry mesh;
+  mesh.positions = {0, 0, 0, 2, 0, 0, 1, 2, 0, 1, -0.5F, 0};
+  mesh.normals = {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1};
+  mesh.triangles = {0, 1, 3, 1, 2, 3, 2, 0, 3};
+  return mesh;
+}
+
+TEST(Unfold, MovesAVertexBackIntoItsRing) {
+  geometry::Geometry mesh = folded_fan();
+  ASSERT_LT(doubled_area(mesh, 0), 0);
+  EXPECT_EQ(unfold(mesh), 0U);
+  for (std::size_t t = 0; t < 3; ++t) EXPECT_GT(doubled_area(mesh, t), 0);
+  const geometry::Geometry before = folded_fan();
+  EXPECT_TRUE(std::equal(before.positions.begin(), before.positions.begin() + 9, mesh.positions.begin()));
+}
+
+TEST(Unfold, LeavesVerticesThatShareTheirPlace) {
+  geometry::Geometry mesh = folded_fan();
+  mesh.positions.insert(mesh.positions.end(), {1, -0.5F, 0});  // another part of the mesh, with other attributes
+  mesh.normals.insert(mesh.normals.end(), {0, 0, 1});
+  EXPECT_EQ(unfold(mesh), 1U);
+  EXPECT_EQ(mesh.positions[10], -0.5F);
+}
+
 // A flip must not make an edge that other triangles have already.
 TEST(Unfold, KeepsEdgesOfTwoTriangles) {
   geometry::Geometry mesh = folded_pair();

@@ -27,8 +27,7 @@ class Builder {
     primitive.mode = mesh ? TINYGLTF_MODE_TRIANGLES : TINYGLTF_MODE_POINTS;
     primitive.attributes["POSITION"] = positions();
     if (!geometry_.normals.empty()) primitive.attributes["NORMAL"] = unit_normals();
-    if (!geometry_.colours.empty())
-      primitive.attributes["COLOR_0"] = linear_colours();
+    if (!geometry_.colours.empty()) primitive.attributes["COLOR_0"] = linear_colours();
     if (!geometry_.texture_coordinates.empty()) primitive.attributes["TEXCOORD_0"] = flipped_texture_coordinates();
     if (mesh) {
       primitive.indices = add(std::span<const std::uint32_t>(geometry_.triangles), 1, TINYGLTF_TYPE_SCALAR,

@@ -18,7 +18,7 @@ namespace {
 using Vector = common::Vector3d;
 using Corners = std::array<std::uint32_t, 3>;
 
-constexpr int most_rounds = 5;
+constexpr int most_rounds = 10;
 
 class Unfolder {
  public:
@@ -31,6 +31,17 @@ class Unfolder {
     std::size_t flips = 0;
     for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) flips += is_folded(t) && flip_best(t) ? 1 : 0;
     return flips;
+  }
+
+  // Moves vertices of folded triangles. Returns the number of moves.
+  std::size_t relax_all() {
+    find_movable();
+    std::size_t moves = 0;
+    for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) {
+      const Corners c = corners_of(t);
+      for (std::size_t k = 0; k < 3 && is_folded(t); ++k) moves += is_movable_[c[k]] && relax(c[k]) ? 1 : 0;
+    }
+    return moves;
   }
 
   std::size_t folded() const {
@@ -120,10 +131,64 @@ class Unfolder {
     return true;
   }
 
+  // Vertices that have their place alone, and triangles all around them.
+  void find_movable() {
+    std::map<std::array<float, 3>, std::uint32_t> vertex_at;
+    is_movable_.assign(mesh_.point_count(), true);
+    triangles_at_.assign(mesh_.point_count(), {});
+    for (std::uint32_t t = 0; t < mesh_.triangle_count(); ++t) {
+      const Corners c = corners_of(t);
+      for (std::size_t k = 0; k < 3; ++k) {
+        triangles_at_[c[k]].push_back(t);
+        if (neighbour_across({c[k], c[(k + 1) % 3]}) == shared) is_movable_[c[k]] = is_movable_[c[(k + 1) % 3]] = false;
+      }
+    }
+    for (std::uint32_t v = 0; v < mesh_.point_count(); ++v) {
+      const float* p = &mesh_.positions[3 * std::size_t{v}];
+      const auto [at, is_new] = vertex_at.try_emplace({p[0], p[1], p[2]}, v);
+      if (!is_new) is_movable_[v] = is_movable_[at->second] = false;
+    }
+  }
+
+  double worst_facing(std::uint32_t vertex) const {
+    double worst = 1;
+    for (const std::uint32_t t : triangles_at_[vertex]) worst = std::min(worst, facing(corners_of(t)));
+    return worst;
+  }
+
+  void move(std::uint32_t vertex, Vector to) {
+    for (std::size_t k = 0; k < 3; ++k) mesh_.positions[3 * std::size_t{vertex} + k] = static_cast<float>(to[k]);
+  }
+
+  // Moves a vertex towards the middle of its neighbours if all triangles around it then face their vertices better than the
+  // worst one does now.
+  bool relax(std::uint32_t vertex) {
+    const Vector before = vector_at(mesh_.positions, vertex);
+    Vector middle;
+    for (const std::uint32_t t : triangles_at_[vertex])
+      for (const std::uint32_t corner : corners_of(t))
+        if (corner != vertex) middle += vector_at(mesh_.positions, corner);
+    middle = middle * (0.5 / static_cast<double>(triangles_at_[vertex].size()));
+    double best = worst_facing(vertex);
+    Vector place = before;
+    for (const double part : {0.25, 0.5, 0.75, 1.0}) {
+      const Vector candidate = before + (middle - before) * part;
+      move(vertex, candidate);
+      const double facing = worst_facing(vertex);
+      if (facing <= best) continue;
+      best = facing;
+      place = candidate;
+    }
+    move(vertex, place);
+    return !(place == before);
+  }
+
   static constexpr std::uint32_t shared = 0xFFFFFFFF;  // no triangle, or several that turn the same way
 
   geometry::Geometry& mesh_;
   std::map<Edge, std::uint32_t> triangle_of_;
+  std::vector<bool> is_movable_;                          // of the vertices
+  std::vector<std::vector<std::uint32_t>> triangles_at_;  // at each vertex
 };
 
 }  // namespace
@@ -131,7 +196,7 @@ class Unfolder {
 std::size_t unfold(geometry::Geometry& mesh) {
   Unfolder unfolder(mesh);
   for (int round = 0; round < most_rounds; ++round)
-    if (unfolder.flip_all() == 0) break;
+    if (unfolder.flip_all() + unfolder.relax_all() == 0) break;
   return unfolder.folded();
 }
 

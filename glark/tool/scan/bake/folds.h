@@ -11,7 +11,9 @@
 
 namespace glark::tool {
 
-// Flips edges of folded triangles where both new triangles face the same side as their vertices. The mesh has normals.
+// Flips edges of folded triangles where both new triangles face the same side as their vertices, and moves vertices of the
+// others towards the middle of their neighbours. Vertices at boundaries stay, and those that share their place with
+// others. The mesh has normals.
 // Returns the number of folded triangles that are left.
 std::size_t unfold(geometry::Geometry& mesh);
 
