@@ -39,10 +39,14 @@ class Bake(CommandCase):
         self.assertGreater(report["triangles"], 400)
         self.assertEqual(0, report["points_left_out"])
         self.assertGreater(report["highest_displacement"], 0.003)
+        self.assertLess(report["largest_seam_normal_degrees"], 1.5)
+        for level in (1, 2):
+            self.assertIn(f"root_mean_square_seam_normal_degrees_level_{level}", report)
         gltf = gltf_of(self.path / "model.glb")
         self.assertEqual({"POSITION", "NORMAL", "TANGENT", "TEXCOORD_0"}, set(gltf["meshes"][0]["primitives"][0]["attributes"]))
         material = gltf["materials"][0]
         self.assertIn("normalTexture", material)
+        self.assertIn("baseColorTexture", material["pbrMetallicRoughness"])  # f3d ignores a normal map without it
         self.assertEqual("model.displacement.png", material["extras"]["displacement"]["uri"])
         header = (self.path / "model.displacement.png").read_bytes()[:26]
         self.assertEqual((report["width"], report["height"], 16, 0), struct.unpack(">IIBB", header[16:26]))

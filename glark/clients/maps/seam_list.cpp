@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "glark/clients/maps/seam_list.h"
 
-#include <cmath>
-
 #include "glark/clients/maps/charts/segmentation.h"
 #include "glark/clients/maps/seams/seams.h"
 

@@ -12,7 +12,8 @@
 
 namespace glark::maps {
 
-// The values of a texel: the normal, in the space of the positions until the maps are filled, then in tangent space; the height, and the colour if there is one.
+// The values of a texel: the normal, the height, and the colour if there is one. Normals are in the space of the positions
+// until the maps are filled, then in tangent space.
 inline constexpr unsigned normal_channel = 0;
 inline constexpr unsigned height_channel = 3;
 inline constexpr unsigned colour_channel = 4;
