@@ -111,6 +111,14 @@ class Maps(CommandCase):
                 with self.subTest(direction=direction, view=view):
                     self.assertLess(others, 0.02 * len(disc))
 
+    def test_one_white_texel_is_no_colour_map(self):
+        pictures = []
+        for colours in (None, png(1, 1, b"\xff\xff\xff"), png(1, 1, b"\xff\x00\x00")):
+            self.model(pictures={"baseColorTexture": colours})
+            pictures.append(self.draw("--maps", "normal", *FROM_Z))
+        self.assertEqual(pictures[0], pictures[1])
+        self.assertNotEqual(pictures[0], pictures[2])
+
     def test_shading_differs_where_the_map_says_so(self):
         def turned(d):
             return unit((d[0], d[1] + 0.6, d[2])) if d[0] > 0 else d

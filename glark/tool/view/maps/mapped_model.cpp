@@ -43,6 +43,12 @@ bool has_maps(const tinygltf::Material& material) {
          material.extras.Has("displacement");
 }
 
+// `glark bake` writes such a picture if the scan has no colours.
+bool is_one_white_texel(const Picture& picture) {
+  return picture.texels.size() == 4 && std::all_of(picture.texels.begin(), picture.texels.end(),
+                                                   [](std::uint8_t value) { return value == 255; });
+}
+
 class Reader {
  public:
   Reader(const std::string& file, const tinygltf::Model& model) : file_(file), model_(model) {}
@@ -118,6 +124,7 @@ class Reader {
   void read_pictures(const tinygltf::Primitive& primitive, const tinygltf::Material& material, Maps& maps,
                      std::size_t points) {
     maps.colours = picture_of(material.pbrMetallicRoughness.baseColorTexture.index, "baseColorTexture");
+    if (maps.colours && is_one_white_texel(*maps.colours)) maps.colours.reset();
     if (material.normalTexture.index >= 0) read_normal_map(primitive, material, maps, points);
     if (material.extras.Has("displacement")) read_displacement(material.extras.Get("displacement"), maps);
   }
