@@ -50,7 +50,7 @@ RefinedDraw::RefinedDraw(const Environment& environment, const Parts& parts)
 void RefinedDraw::run(const DrawCall& call) {
   ++statistics().draws_seen;
   const Quiet quiet = env_.state.quiet();
-  if (draw_repeated(call)) {
+  if (draw_repeated(call, quiet)) {
     return;
   }
   parts_.feedback.take_over();
@@ -208,8 +208,8 @@ capture::CoarseTriangles RefinedDraw::capture(const DrawCall& call, const KeyFac
   return *captured;
 }
 
-// Draws the kept vertices of a draw without a plan. False: the draw must be planned.
-bool RefinedDraw::draw_repeated(const DrawCall& call) {
+// Draws the kept vertices of a draw without a plan, or leaves the draw unrefined. False: the draw must be planned.
+bool RefinedDraw::draw_repeated(const DrawCall& call, const Quiet& quiet) {
   if (parts_.feedback.watches_draws()) {
     return false;
   }
@@ -217,10 +217,16 @@ bool RefinedDraw::draw_repeated(const DrawCall& call) {
   if (planned == nullptr || (env_.options.transparent && parts_.planner.exempts(*planned->program, call.triangles))) {
     return false;
   }
-  parts_.kept.reuse(*planned->entry);
-  draw_vertices(*planned->entry);
   ProgramCounters& counters = *planned->program->counters;
   ++counters.draws_seen;
+  if (const std::optional<Cause> cause = parts_.planner.judge_repeated(call, *planned->program)) {
+    DrawPlan left;
+    left.fallback = planned->fallback;
+    draw_as_asked(call, left, *cause, quiet);
+    return true;
+  }
+  parts_.kept.reuse(*planned->entry);
+  draw_vertices(*planned->entry);
   ++counters.draws_refined;
   ++statistics().draws_refined;
   count_fallback(planned->fallback);
@@ -246,17 +252,19 @@ bool RefinedDraw::draw_kept_vertices(const DrawCall& call, const DrawPlan& plan,
 
 void RefinedDraw::draw_vertices(const DrawCache::Entry& entry) {
   submission_.draw_vertices(entry.vertices);
-  ++statistics().captures_reused;
-  ++statistics().draws_of_kept_vertices;
-  statistics().coarse_triangles += entry.triangles.count;
-  statistics().refined_triangles += static_cast<std::uint64_t>(entry.vertices.index_count) / 3;
+  Statistics& counts = statistics();
+  ++counts.captures_reused;
+  ++counts.draws_of_kept_vertices;
+  counts.coarse_triangles += entry.triangles.count;
+  counts.refined_triangles += static_cast<std::uint64_t>(entry.vertices.index_count) / 3;
 }
 
 // The next such draw needs no plan, unless the kept vertices depend on more than RepeatedDraws compares.
 void RefinedDraw::note_repeated(const DrawCall& call, const DrawPlan& plan, const KeptDraw& kept) {
   const bool depends_on_more = plan.pipeline != nullptr || plan.depth.measured || plan.derived->height_map >= 0 ||
                                plan.capture.lent || !plan.program->refinement_source.empty() ||
-                               parts_.feedback.watches_draws();
+                               parts_.feedback.watches_draws() ||
+                               parts_.planner.takes_normals_of_other_passes(*plan.program);
   if (!depends_on_more) {
     repeated_.note(call, parts_.programs.fixed_function().last(), {plan.program, kept.entry, plan.fallback},
                    *plan.capture.inputs, parts_.kept.buffers_read());

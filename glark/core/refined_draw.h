@@ -76,7 +76,7 @@ class RefinedDraw {
   void count_class(const DrawPlan& plan, std::optional<Cause> cause, std::uint64_t triangles);
   void draw_refined(const DrawCall& call, const DrawPlan& plan, const Quiet& quiet);
   capture::CoarseTriangles capture(const DrawCall& call, const KeyFacts& facts, KeptDraw& kept, const Quiet& quiet);
-  bool draw_repeated(const DrawCall& call);
+  bool draw_repeated(const DrawCall& call, const Quiet& quiet);
   bool draw_kept_vertices(const DrawCall& call, const DrawPlan& plan, const KeptDraw& kept);
   void draw_vertices(const DrawCache::Entry& entry);
   void note_repeated(const DrawCall& call, const DrawPlan& plan, const KeptDraw& kept);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <type_traits>
 #include <utility>
 
 #include "glark/core/state/lists/display_list.h"
@@ -27,9 +28,13 @@ std::uint64_t pair_of(std::uint64_t low, std::uint64_t high) { return low ^ high
 
 std::uint64_t number_of(const void* address) { return reinterpret_cast<std::uintptr_t>(address); }
 
-bool same_value(const CurrentValue& a, const CurrentValue& b) {
-  return a.again == b.again && a.index == b.index && a.bytes == b.bytes &&
-         std::memcmp(a.components.data(), b.components.data(), a.bytes) == 0;
+// Equal bytes are equal values, and comparing them is short. Bytes may differ between members, too: then the values are
+// compared.
+template <typename Value>
+bool same(const Value& a, const Value& b) {
+  static_assert(std::is_trivially_copyable_v<Value>);
+  // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): only a positive answer counts
+  return std::memcmp(&a, &b, sizeof(Value)) == 0 || a == b;
 }
 
 }  // namespace
@@ -44,6 +49,7 @@ RepeatedDraws::PlannedOptions RepeatedDraws::options_of(const ContextOptions& op
           .level = options.level,
           .max_level = options.max_level,
           .refinement = options.refinement,
+          .smooth = options.smooth,
           .shape_numbers = options.shape_numbers,
           .weld = options.weld,
           .crease = options.crease,
@@ -63,8 +69,7 @@ bool RepeatedDraws::may_repeat(const DrawCall& call) const {
                      call.materials == 0 && call.polygon_sides == nullptr;
   const bool counted =
       b.transform_feedback.active || (options.transparent && b.queries.active > 0) || options.read_counts;
-  const bool chosen = options.live.watches_draws() || !options.rules.empty() ||
-                      (options.transparent && (options.smooth || traits_of(options.refinement).curves_positions));
+  const bool chosen = options.live.watches_draws() || !options.rules.empty();
   const bool program_known = b.program != 0 ? env_.state.programs().current() != nullptr : b.pipeline == 0;
   return plain && !counted && !chosen && program_known && !b.rasterizer_discard && !env_.state.immediate().open();
 }
@@ -86,7 +91,7 @@ bool RepeatedDraws::same_options(const PlannedOptions& old) const {
 }
 
 bool RepeatedDraws::is_now(const State& state) const {
-  return state.modes == env_.bindings() && state.ark == env_.ark && same_options(state.options);
+  return same<PlannedModes>(state.modes, env_.bindings()) && same(state.ark, env_.ark) && same_options(state.options);
 }
 
 std::size_t RepeatedDraws::number_of_state() {
@@ -101,6 +106,9 @@ std::size_t RepeatedDraws::number_of_state() {
     }
     state_ = states_.size();
     states_.push_back({env_.bindings(), env_.ark, options_of(env_.options)});
+    // With the bytes between the members, so that comparing bytes tells that nothing has changed.
+    std::memcpy(&states_.back().modes, static_cast<const PlannedModes*>(&env_.bindings()), sizeof(PlannedModes));
+    std::memcpy(&states_.back().ark, &env_.ark, sizeof(ArkState));
   }
   return state_;
 }
@@ -195,7 +203,7 @@ bool RepeatedDraws::same_values(const Repeat& repeat) const {
   const CurrentValues& values = env_.state.arrays().current_values();
   return std::all_of(repeat.values.begin(), repeat.values.end(), [&](const Value& old) {
     const CurrentValue* const value = values.find(old.slot);
-    return value != nullptr ? old.value && same_value(*value, *old.value) : !old.value && values.era() == old.era;
+    return value != nullptr ? old.value && is_same_call(*value, *old.value) : !old.value && values.era() == old.era;
   });
 }
 

@@ -44,6 +44,7 @@ class RepeatedDraws {
     unsigned level = 0;
     unsigned max_level = 0;
     Refinement refinement = Refinement::linear_inputs;
+    bool smooth = false;
     ShapeNumbers shape_numbers{};
     bool weld = false;
     float crease = 0;

@@ -38,6 +38,12 @@ class Planner {
     const std::lock_guard lock(program.mutex);
     return exempt(program, triangles).has_value();
   }
+  // A draw whose plan would be the same as before. Notes it, and returns why it stays unrefined now: another pass over
+  // its mesh does.
+  std::optional<Cause> judge_repeated(const DrawCall& call, const Program& program) const;
+  // Returns whether plans for this program depend on other passes over the mesh by more than judge_repeated() tells:
+  // its stage reads no normals of its own.
+  bool takes_normals_of_other_passes(const Program& program) const;
   // Why a draw by glBegin and glEnd stays unrefined although its plan was fine before its triangles were counted.
   std::optional<Cause> cause_when_counted(const DrawPlan& plan, std::uint64_t triangles) const;
 

@@ -9,6 +9,10 @@
 namespace glark::submit {
 namespace {
 
+// The application's own program draws refined vertices, so no mode differs.
+constexpr ModeChanges no_changes;
+constexpr refine::FixedFunctionState not_read;
+
 bool is_indirect(const core::DrawPlan& plan, const RefinedTriangles& refined) {
   return plan.depth.adaptive || refined.triangles.count_on_gpu;
 }
@@ -72,11 +76,11 @@ void Submission::draw(const core::DrawPlan& plan, const RefinedTriangles& refine
 
 void Submission::draw_vertices(const core::RefinedVertices& vertices) {
   stop_restart();
-  modes_.set({}, {});
+  modes_.set(no_changes, not_read);
   env_.gl.BindVertexArray(vertices.vertex_array);
   env_.gl.DrawElements(GL_TRIANGLES, vertices.index_count, GL_UNSIGNED_INT, nullptr);
   restore_vertex_array();
-  modes_.reset({}, {});
+  modes_.reset(no_changes, not_read);
   resume_restart();
 }
 

@@ -27,6 +27,12 @@ struct CurrentValue {
   alignas(8) std::array<unsigned char, most_bytes> components{};
 };
 
+// The same call with the same arguments.
+inline bool is_same_call(const CurrentValue& a, const CurrentValue& b) {
+  return a.again == b.again && a.index == b.index && a.bytes == b.bytes &&
+         std::memcmp(a.components.data(), b.components.data(), a.bytes) == 0;
+}
+
 // CurrentValue::Again of glDepthTag1i.
 inline void set_tag(const gl::Dispatch& gl, GLuint attribute, const void* tag) {
   GLuint d = 0;
