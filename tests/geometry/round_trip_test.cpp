@@ -126,7 +126,7 @@ TEST_F(RoundTrip, GlbIsWellFormed) {
 TEST_F(RoundTrip, GlbKeepsColoursAndHasThemLinear) {
   Geometry geometry;
   for (std::size_t i = 0; i < 258; ++i) {  // each value of a byte, in triangles of their own
-    geometry.positions.insert(geometry.positions.end(), {static_cast<float>(i / 3), static_cast<float>(i % 3 == 1),
+    geometry.positions.insert(geometry.positions.end(), {0.5F * static_cast<float>(i), static_cast<float>(i % 3 == 1),
                                                          static_cast<float>(i % 3 == 2)});
     const auto value = static_cast<std::uint8_t>(std::min<std::size_t>(i, 255));
     geometry.colours.insert(geometry.colours.end(), {value, value, 188, 255});

@@ -193,18 +193,6 @@ std::optional<Cause> Planner::exempt(const Program& program, std::uint64_t trian
   return exemption(facts);
 }
 
-std::optional<Cause> Planner::judge_repeated(const DrawCall& call, const Program& program) const {
-  if (!smooth()) {
-    return std::nullopt;
-  }
-  const std::lock_guard lock(program.mutex);
-  return parts_.meshes.judge(call, {.fields = &program.fields}, std::nullopt);
-}
-
-bool Planner::takes_normals_of_other_passes(const Program& program) const {
-  return smooth() && capture::find_role(program.fields, capture::Role::normal) == nullptr;
-}
-
 std::optional<Cause> Planner::cause_when_counted(const DrawPlan& plan, std::uint64_t triangles) const {
   const std::optional<Cause> cause = exempt(*plan.program, triangles);
   return !cause && smooth() && is_one_polygon(triangles) ? std::optional(Cause::no_surface) : cause;

@@ -45,8 +45,8 @@ bool has_maps(const tinygltf::Material& material) {
 
 // `glark bake` writes such a picture if the scan has no colours.
 bool is_one_white_texel(const Picture& picture) {
-  return picture.texels.size() == 4 && std::all_of(picture.texels.begin(), picture.texels.end(),
-                                                   [](std::uint8_t value) { return value == 255; });
+  return picture.texels.size() == 4 &&
+         std::all_of(picture.texels.begin(), picture.texels.end(), [](std::uint8_t value) { return value == 255; });
 }
 
 class Reader {
