@@ -35,7 +35,7 @@ std::uint64_t ImmediateCapture::begin(GLenum mode, MaterialSet materials, std::o
   Decision decision = planner_.plan(call);
   cause = decision.cause;
   plan_ = std::move(decision.plan);
-  // glArrayElement may restart the primitive.
+  // The number of triangles is not known in advance where glArrayElement may restart the primitive.
   exact_ = !env_.bindings().primitive_restart && !env_.state.immediate().elements_restart();
   if (cause == Cause::mesh_waits) {
     compile_ahead(meshes_, passes_, call, plan_, first_room);

@@ -5,7 +5,7 @@ import json
 import pathlib
 
 MARKS = ("<!-- viewers: written by scripts/maps --write -->", "<!-- end of viewers -->")
-CANDIDATES = {  # of three.js
+CANDIDATES = {  # the models that three.js draws: file, and words in the table
     "coarse": "coarse mesh",
     "model": "normal map",
     "displaced": "normal map, displaced",

@@ -28,7 +28,7 @@ class Equaliser {
   void equalise_normals(int rounds, bool scale);
 
  private:
-  // Of all samples: in the frame of side a.
+  // The differences of all samples, in the frame of side a: tangent and bitangent, and normal.
   struct NormalDifferences {
     Eigen::VectorXcd across;
     Eigen::VectorXd along;

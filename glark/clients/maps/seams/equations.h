@@ -90,7 +90,7 @@ class SeamEquations {
 
   // Returns the differences of all samples; values: of the unknowns.
   Values differences(const Values& values) const;
-  // Returns what to subtract from the unknowns for differences that vanish as far as the weights allow.
+  // Returns a correction. Subtracted from the unknowns, it makes the differences as small as the weights allow.
   Values correction(const Values& differences) const;
 
  private:
