@@ -4,6 +4,8 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
+
 namespace glark::conformance {
 
 std::string CProgram::array(std::string_view type, std::size_t count, const std::string& elements) {
@@ -55,10 +57,11 @@ std::string in_lines(std::string_view text, std::string_view indentation) {
   constexpr std::size_t width = 110;
   std::string lines;
   while (!text.empty()) {
-    std::size_t end = text.size() <= width ? text.size() : text.rfind(' ', width);
-    if (end == std::string_view::npos || end == 0) end = text.size();
+    std::size_t end = std::min(text.find('\n'), text.size());
+    if (end > width) end = text.rfind(' ', width);
+    if (end == std::string_view::npos || end == 0) end = std::min(text.find_first_of(" \n", width), text.size());
     lines += fmt::format("{}{}\n", indentation, text.substr(0, end));
-    text.remove_prefix(end < text.size() ? end + 1 : end);
+    text.remove_prefix(std::min(end + 1, text.size()));
   }
   return lines;
 }

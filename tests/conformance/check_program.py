@@ -15,8 +15,8 @@ from pathlib import Path
 FAKE, SUITE, LIBRARY = os.environ["FAKE"], os.environ["SUITE"], os.environ["LIBRARY"]
 EXCLUDED = Path(__file__).resolve().parents[2] / "conformance/mustpass/excluded.txt"
 VERDICTS = {
-    "pass": "Pass", "pass_too": "Pass", "fail": "Fail", "equal": "Fail", "error_left": "Fail", "nothing": "InternalError",
-    "throws": "InternalError", "control": "InternalError", "not_supported": "NotSupported", "warning": "QualityWarning",
+    "pass": "Pass", "pass_too": "Pass", "fail": "Fail", "equal": "Fail", "error_left": "Fail", "lines": "Fail",
+    "nothing": "InternalError", "throws": "InternalError", "control": "InternalError", "not_supported": "NotSupported", "warning": "QualityWarning",
     "planned": "Unimplemented", "crash": "Crash", "vanish": "Missing", "hang": "Timeout", "spin": "Timeout", "unsteady": "Fail",
     "es_only": "NotSupported", "unexpectedly_not_supported": "InternalError",
 }
@@ -58,6 +58,10 @@ class Verdicts(Folder):
     def test_batch_loses_only_the_case_that_crashed(self):
         _, records = self.judge("--batch", 100)
         self.assertEqual(VERDICTS, {name: record["verdict"] for name, record in records.items()})
+
+    def test_shown_messages_are_comments(self):
+        shown = call("--implementation", LIBRARY, "--show", "ark.fake.lines").stdout
+        self.assertIn("\n// two\n// lines\n", shown)
 
     def test_retry_finds_the_flake(self):
         done, records = self.judge("--case", "ark.fake.unsteady", "--retry", 1)

@@ -47,6 +47,7 @@ std::vector<Case> written_cases() {
           fake("fail", check_picture),
           fake("equal", [](Test& t) { t.expect_equal(3, 4, "a number"); }),
           fake("error_left", [](Test& t) { t.expect(true, "fine"), gl.Enable(0x1234); }),
+          fake("lines", [](Test& t) { t.fail("two\nlines"); }),
           fake("nothing", [](Test&) {}),
           fake("throws", [](Test&) { throw std::runtime_error("thrown"); }),
           fake(

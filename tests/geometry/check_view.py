@@ -9,8 +9,12 @@ import os
 import shutil
 import struct
 import subprocess
+import sys
 import unittest
+from pathlib import Path
 
+sys.path.append(str(Path(__file__).resolve().parents[2] / "scripts/parts"))
+import picture_row  # noqa: E402 (lies in the folder that the line above names)
 from command_case import GLARK, CommandCase, sphere, write_ply
 
 
@@ -39,6 +43,19 @@ class View(CommandCase):
         result = subprocess.run([GLARK, "view", self.sphere], capture_output=True, text=True, env=display)
         self.assertEqual(1, result.returncode)
         self.assertIn("--offscreen", result.stderr)
+
+    def test_zoom_stays_outside(self):
+        """A closer view of the middle of a sphere shows no background, and nearly the same colour in the middle."""
+        pixels = {}
+        for zoom in ("1", "4", "30"):
+            self.glark("view", self.sphere, "--mode", "mesh", "--zoom", zoom, "--offscreen", "a.png", "--width", "64", "--height", "64")
+            _, rows = picture_row.read_png(self.path / "a.png")
+            pixels[zoom] = [bytes(row[3 * x:3 * x + 3]) for row in rows for x in range(64)]
+        background, middle = pixels["1"][0], 32 * 64 + 32
+        for zoom in ("4", "30"):
+            self.assertNotIn(background, pixels[zoom])
+            for before, after in zip(pixels["1"][middle], pixels[zoom][middle]):
+                self.assertLess(abs(before - after), 12)
 
     def test_patterns_are_those_that_are_drawn(self):
         """The triangles of all patterns that the viewer names are as many as OpenGL drew."""

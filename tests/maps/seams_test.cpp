@@ -62,6 +62,13 @@ Seam seam_of(const std::vector<TurnedChart>& charts, std::uint32_t a, std::uint3
   return {side_of(charts, a, from, to), side_of(charts, b, from, to)};
 }
 
+// What is left of the differences.
+SeamDifferences equalised(const std::vector<ChartImage>& charts, unsigned channels, const std::vector<Seam>& seams,
+                          const SeamOptions& options = {}) {
+  equalise(charts, channels, seams, options);
+  return seam_jumps(charts, channels, seams);
+}
+
 float greatest(const std::vector<float>& values) { return *std::max_element(values.begin(), values.end()); }
 
 // Adds random numbers of -most to most to all texels.
@@ -92,7 +99,7 @@ TEST(Equalise, TwoTexelsMeetInTheMiddle) {
   std::vector<float> a{0}, b{1};
   const std::vector<ChartImage> charts{{1, 1, a}, {1, 1, b}};
   const std::vector<Seam> seams{{{0, {0, 0.5F}, {1, 0.5F}}, {1, {0, 0.5F}, {1, 0.5F}}}};
-  const SeamDifferences left = equalise(charts, 1, seams, {.fidelity = 1e-6F});
+  const SeamDifferences left = equalised(charts, 1, seams, {.fidelity = 1e-6F});
   EXPECT_NEAR(a[0], 0.5F, 1e-4F);
   EXPECT_NEAR(b[0], 0.5F, 1e-4F);
   EXPECT_NEAR(left.greatest[0], std::abs(a[0] - b[0]), 1e-6F);
@@ -104,7 +111,7 @@ TEST(Equalise, RotatedGridsOfSmoothDataAgreeToEightBits) {
   const std::vector<Seam> seams{seam_of(charts, 0, 1, {-25, -3}, {25, 4})};
   const std::vector<ChartImage> all = images(charts);
   ASSERT_GT(greatest(seam_jumps(all, 3, seams).greatest), 2 * one_step_of_8_bits);
-  const SeamDifferences left = equalise(all, 3, seams);
+  const SeamDifferences left = equalised(all, 3, seams);
   EXPECT_LE(greatest(left.greatest), one_step_of_8_bits);
   EXPECT_EQ(left.greatest, seam_jumps(all, 3, seams).greatest);
 }
@@ -114,7 +121,7 @@ TEST(Equalise, OffsetOfAChartVanishesAlongTheSeam) {
   std::vector<TurnedChart> charts{{60, 2, 0, 1, smooth_function}, {70, 2, 30, 1.3F, smooth_function}};
   for (float& value : charts[1].values) value += 0.2F;
   const std::vector<Seam> seams{seam_of(charts, 0, 1, {-20, 3}, {20, 3})};
-  const SeamDifferences left = equalise(images(charts), 2, seams);
+  const SeamDifferences left = equalised(images(charts), 2, seams);
   EXPECT_LE(greatest(left.greatest), one_step_of_8_bits);
 }
 
@@ -142,7 +149,7 @@ TEST(Equalise, OnlyTexelsNextToTheSeamChange) {
 TEST(Equalise, EqualSidesStayAsTheyAre) {
   std::vector<TurnedChart> charts{{30, 2, 20, 1, smooth_function}, {30, 2, 20, 1, smooth_function}};
   const std::vector<TurnedChart> before = charts;
-  const SeamDifferences left = equalise(images(charts), 2, std::vector<Seam>{seam_of(charts, 0, 1, {-9, 1}, {9, 2})});
+  const SeamDifferences left = equalised(images(charts), 2, std::vector<Seam>{seam_of(charts, 0, 1, {-9, 1}, {9, 2})});
   EXPECT_EQ(left.greatest, std::vector<float>(2, 0.0F));
   for (unsigned k = 0; k < 2; ++k) EXPECT_EQ(charts[k].values, before[k].values);
 }
@@ -154,14 +161,14 @@ TEST(Equalise, ChartMayHaveASeamWithItself) {
   const std::vector<Seam> seams{{{0, {1, 1}, {1, height - 1}}, {0, {32, 1}, {32, height - 1}}}};
   const std::vector<ChartImage> all = images(charts);
   ASSERT_GT(greatest(seam_jumps(all, 1, seams).greatest), 0.1F);
-  EXPECT_LE(greatest(equalise(all, 1, seams).greatest), one_step_of_8_bits);
+  EXPECT_LE(greatest(equalised(all, 1, seams).greatest), one_step_of_8_bits);
 }
 
 TEST(Equalise, SideThatIsItsOwnOtherSideChangesNothing) {
   std::vector<TurnedChart> charts{{20, 1, 0, 1, smooth_function}};
   const std::vector<TurnedChart> before = charts;
   const std::vector<Seam> seams{{{0, {3, 3}, {15, 9}}, {0, {3, 3}, {15, 9}}}};
-  EXPECT_EQ(greatest(equalise(images(charts), 1, seams).greatest), 0);
+  EXPECT_EQ(greatest(equalised(images(charts), 1, seams).greatest), 0);
   EXPECT_EQ(charts[0].values, before[0].values);
 }
 
@@ -173,7 +180,7 @@ TEST(Equalise, ThreeChartsMeetAtAVertex) {
   const std::vector<Seam> seams{seam_of(charts, 0, 1, {0, 0}, {15, 2}), seam_of(charts, 1, 2, {0, 0}, {-8, 12}),
                                 seam_of(charts, 2, 0, {0, 0}, {-7, -13})};
   const std::vector<ChartImage> all = images(charts);
-  EXPECT_LE(greatest(equalise(all, 1, seams).greatest), one_step_of_8_bits);
+  EXPECT_LE(greatest(equalised(all, 1, seams).greatest), one_step_of_8_bits);
   // All three have the same value at the vertex.
   const std::vector<Seam> vertex{seam_of(charts, 0, 1, {0, 0}, {0, 0}), seam_of(charts, 0, 2, {0, 0}, {0, 0})};
   EXPECT_LE(greatest(seam_jumps(all, 1, vertex).greatest), one_step_of_8_bits);
@@ -183,7 +190,7 @@ TEST(Equalise, SeamOfLengthZeroIsOneSample) {
   std::vector<TurnedChart> charts{{9, 1, 0, 1, smooth_function}, {9, 1, 30, 1, smooth_function}};
   for (float& value : charts[1].values) value += 0.5F;
   const std::vector<Seam> seams{seam_of(charts, 0, 1, {1, 1}, {1, 1})};
-  EXPECT_LE(greatest(equalise(images(charts), 1, seams, {.fidelity = 1e-4F}).greatest), one_step_of_8_bits);
+  EXPECT_LE(greatest(equalised(images(charts), 1, seams, {.fidelity = 1e-4F}).greatest), one_step_of_8_bits);
 }
 
 TEST(Equalise, SeamMayTouchTheBorderOfTheRaster) {
@@ -191,13 +198,13 @@ TEST(Equalise, SeamMayTouchTheBorderOfTheRaster) {
   for (float& value : charts[0].values) value += 0.3F;
   const std::vector<Seam> seams{{{0, {0, 0}, {20, 0}}, {1, {0, 23}, {20, 23}}},
                                 {{0, {20, 0}, {20, 23}}, {1, {0, 0}, {0, 23}}}};
-  EXPECT_LE(greatest(equalise(images(charts), 2, seams).greatest), one_step_of_8_bits);
+  EXPECT_LE(greatest(equalised(images(charts), 2, seams).greatest), one_step_of_8_bits);
 }
 
 TEST(Equalise, WithoutSeamsNothingChanges) {
   std::vector<TurnedChart> charts{{8, 2, 0, 1, smooth_function}};
   const std::vector<TurnedChart> before = charts;
-  EXPECT_EQ(equalise(images(charts), 2, {}).greatest, std::vector<float>(2, 0.0F));
+  EXPECT_EQ(equalised(images(charts), 2, {}).greatest, std::vector<float>(2, 0.0F));
   EXPECT_EQ(charts[0].values, before[0].values);
 }
 

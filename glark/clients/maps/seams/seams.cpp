@@ -49,10 +49,10 @@ SeamDifferences seam_jumps(std::span<const ChartImage> charts, unsigned channels
   return jumps;
 }
 
-SeamDifferences equalise(std::span<const ChartImage> charts, unsigned channels, std::span<const Seam> seams,
-                         const SeamOptions& options, std::span<const SeamFrames> frames) {
+void equalise(std::span<const ChartImage> charts, unsigned channels, std::span<const Seam> seams,
+              const SeamOptions& options, std::span<const SeamFrames> frames) {
   assert(are_valid(charts, channels, seams) && (frames.empty() || frames.size() == seams.size()));
-  if (seams.empty()) return seam_jumps(charts, channels, seams);
+  if (seams.empty()) return;
   std::list<MipLevel> levels;  // equalisers have spans of them
   std::list<Equaliser> equalisers;
   for (unsigned k = 0; k < options.levels; ++k) {
@@ -76,7 +76,6 @@ SeamDifferences equalise(std::span<const ChartImage> charts, unsigned channels, 
       level->add_changes_to(charts);
     }
   }
-  return seam_jumps(charts, channels, seams);
 }
 
 }  // namespace glark::maps

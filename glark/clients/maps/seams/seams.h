@@ -59,8 +59,8 @@ SeamDifferences seam_jumps(std::span<const ChartImage> charts, unsigned channels
 // Changes the texels next to seams, so that bilinear samples along a seam are the same on both sides. Texels farther away
 // than the last level's filter stay. frames: [seams] if the first three channels are normals in tangent space, which are
 // made the same in the space of the positions; otherwise empty. With several levels, the sides of charts must be multiples
-// of two to the power of the last level. Returns the differences of the channels that are left.
-SeamDifferences equalise(std::span<const ChartImage> charts, unsigned channels, std::span<const Seam> seams,
-                         const SeamOptions& options = {}, std::span<const SeamFrames> frames = {});
+// of two to the power of the last level.
+void equalise(std::span<const ChartImage> charts, unsigned channels, std::span<const Seam> seams,
+              const SeamOptions& options = {}, std::span<const SeamFrames> frames = {});
 
 }  // namespace glark::maps

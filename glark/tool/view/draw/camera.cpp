@@ -14,22 +14,24 @@ constexpr float half_opening_degrees = 20;
 constexpr float degrees_per_pixel = 0.3F;
 constexpr glm::vec3 x_axis{1, 0, 0}, y_axis{0, 1, 0};
 
-float half_opening() { return glm::radians(half_opening_degrees); }
+// The tangent of half the opening angle. A zoom above 1 narrows the angle and does not move the camera: so it cannot enter
+// the object.
+float half_opening_tangent(float zoom) { return std::tan(glm::radians(half_opening_degrees)) / std::max(zoom, 1.0F); }
 
 }  // namespace
 
-float Camera::distance() const { return radius / std::sin(half_opening()) / zoom; }
+float Camera::distance() const { return radius / std::sin(glm::radians(half_opening_degrees)) / std::min(zoom, 1.0F); }
 
 float Camera::pixels_per_length(int height) const {
-  return static_cast<float>(height) / (2 * std::tan(half_opening()));
+  return static_cast<float>(height) / (2 * half_opening_tangent(zoom));
 }
 
-// The projection fits the whole sphere into the shorter side of the picture.
+// At a zoom of 1, the projection fits the whole sphere into the shorter side of the picture.
 glm::mat4 Camera::projection(int width, int height) const {
   const float far = distance() + radius;
   const float near = std::max(distance() - radius, far * 1e-3F);
   const float aspect = static_cast<float>(width) / static_cast<float>(height);
-  const float half_height = near * std::tan(half_opening()) / std::min(aspect, 1.0F);
+  const float half_height = near * half_opening_tangent(zoom) / std::min(aspect, 1.0F);
   return glm::frustum(-half_height * aspect, half_height * aspect, -half_height, half_height, near, far);
 }
 

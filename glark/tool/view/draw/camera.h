@@ -14,7 +14,7 @@ struct Camera {
   float radius = 1;      // the radius of a sphere about the target that holds everything
   float yaw = 30;        // degrees about the upright axis
   float pitch = 20;      // degrees above the horizon, -90 to 90
-  float zoom = 1;        // 1 shows everything
+  float zoom = 1;        // 1 shows everything; 2 shows half of the width
   bool z_is_up = false;  // true: the z axis points up; false: the y axis
 
   float distance() const;
