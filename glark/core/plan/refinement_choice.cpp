@@ -49,6 +49,9 @@ RefinementChoice choose_refinement(const RefinementFacts& facts) {
   if (wanted.curves_positions && !facts.inputs.can_curve) {
     return {Refinement::linear_inputs, RefinementFallback::no_normal};
   }
+  if (wanted.curves_positions && facts.flat_shaded) {
+    return {Refinement::linear_inputs, RefinementFallback::flat_shading};
+  }
   return {facts.wanted, std::nullopt};
 }
 

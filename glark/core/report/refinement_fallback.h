@@ -14,8 +14,9 @@ enum class RefinementFallback {
   unsound_stage,   // the position jumps between vertices, or has no meaning there
   bent_unknowing,  // the position is not affine in the attributes, and no normal is known
   no_normal,       // a curved refinement, but no position or no normal is known
+  flat_shading,    // lit under GL_FLAT: a normal is that of the triangle that it ends
 };
-inline constexpr unsigned refinement_fallback_count = static_cast<unsigned>(RefinementFallback::no_normal) + 1;
+inline constexpr unsigned refinement_fallback_count = static_cast<unsigned>(RefinementFallback::flat_shading) + 1;
 
 // `key` names the reason in files; `remedy` completes the log line.
 struct FallbackText {

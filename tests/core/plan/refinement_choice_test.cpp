@@ -51,6 +51,17 @@ TEST_F(RefinementChoices, APlainStageGetsEveryRefinement) {
   }
 }
 
+TEST_F(RefinementChoices, NothingIsCurvedThatIsShadedFlat) {
+  RefinementFacts facts{
+      .wanted = Refinement::pn, .transparent = true, .stage = stage, .variation = stage.variation, .inputs = inputs};
+  EXPECT_FALSE(choose_refinement(facts).fallback);
+  facts.flat_shaded = true;
+  EXPECT_EQ(choose_refinement(facts).fallback, RefinementFallback::flat_shading);
+  EXPECT_EQ(choose_refinement(facts).refinement, Refinement::linear_inputs);
+  facts.wanted = Refinement::linear_inputs;
+  EXPECT_FALSE(choose_refinement(facts).fallback);
+}
+
 TEST_F(RefinementChoices, AVertexNumberNeedsOutputsIfTheProgramUsesTheExtension) {
   stage.reads_vertex_id = true;
   expect(Refinement::linear_inputs, Refinement::linear_inputs, std::nullopt);  // it does not reach the position
