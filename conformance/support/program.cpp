@@ -67,16 +67,19 @@ GLuint build_program(Test& t, const Sources& sources) {
   return program;
 }
 
+GLuint separable_program(const Test& t, GLenum stage, const std::string& source) {
+  const bool has_block = stage == GL_VERTEX_SHADER && !t.is_gles();
+  const std::string whole = glsl_head(t) + (has_block ? "out gl_PerVertex { vec4 gl_Position; };\n" : "") + source;
+  const char* const text = whole.c_str();
+  return gl.CreateShaderProgramv(stage, 1, &text);
+}
+
 Pipeline bind_pipeline(Test& t, const std::string& vertex, const std::string& fragment) {
-  const std::string block = t.is_gles() ? "" : "out gl_PerVertex { vec4 gl_Position; };\n";
-  const std::string whole_vertex = glsl_head(t) + block + vertex;
-  const std::string whole_fragment = glsl_head(t) + fragment;
-  const char* const texts[] = {whole_vertex.c_str(), whole_fragment.c_str()};
   Pipeline pipeline;
-  pipeline.vertex_program = gl.CreateShaderProgramv(GL_VERTEX_SHADER, 1, &texts[0]);
+  pipeline.vertex_program = separable_program(t, GL_VERTEX_SHADER, vertex);
   gl.GenProgramPipelines(1, &pipeline.name);
   gl.UseProgramStages(pipeline.name, GL_VERTEX_SHADER_BIT, pipeline.vertex_program);
-  gl.UseProgramStages(pipeline.name, GL_FRAGMENT_SHADER_BIT, gl.CreateShaderProgramv(GL_FRAGMENT_SHADER, 1, &texts[1]));
+  gl.UseProgramStages(pipeline.name, GL_FRAGMENT_SHADER_BIT, separable_program(t, GL_FRAGMENT_SHADER, fragment));
   gl.BindProgramPipeline(pipeline.name);
   return pipeline;
 }

@@ -43,6 +43,8 @@ struct Pipeline {
   GLuint vertex_program = 0;
 };
 Pipeline bind_pipeline(Test& t, const std::string& vertex, const std::string& fragment);
+// One of these programs, for another stage of the pipeline. stage: GL_VERTEX_SHADER or GL_FRAGMENT_SHADER.
+GLuint separable_program(const Test& t, GLenum stage, const std::string& source);
 
 // Fails and ends the case if the program cannot be refined, and shows the log.
 void require_refinable(Test& t, GLuint program);

@@ -9,6 +9,8 @@
 #include <limits>
 
 #include "conformance/cases/cases.h"
+#include "conformance/cases/repeated/repeated.h"
+#include "conformance/support/counted.h"
 #include "conformance/support/refined_draw.h"
 #include "conformance/support/state.h"
 
@@ -167,6 +169,29 @@ void check_least(Test& t) {
   t.expect_equal(int{depths[0]}, 1, "the depth of an edge of 100 pixels");
 }
 
+// Edges of triangles that are culled need no depth. When the other side is culled, what shows again has its depths, also
+// after many repetitions.
+void check_culling(Test& t) {
+  gl.UseProgram(program(t, "position"));
+  measure_error(0.3F);
+  upload(mesh_of(bent));
+  const auto draw = [] { gl.DrawArrays(GL_TRIANGLES, 0, 3); };
+  const GLuint all = count_generated(draw);
+  t.expect(all > 4, "the triangle is refined");
+  gl.Enable(GL_CULL_FACE);
+  const Picture nothing(surface_size, surface_size);
+  int shown = 0;
+  for (const GLenum side : {GL_FRONT, GL_BACK, GL_FRONT, GL_BACK}) {
+    gl.CullFace(side);
+    repeat_often(draw);
+    if (count_different(picture_of(draw), nothing, 8) == 0) continue;
+    ++shown;
+    for (int again = 0; again < 3; ++again)
+      t.expect_equal(count_generated(draw), all, "triangles of a triangle that is not culled");
+  }
+  t.expect_equal(shown, 2, "one of the sides shows");
+}
+
 void check_refused(Test& t) {
   set_everything(t);
   for (const GLfloat value : {-0.01F, -std::numeric_limits<GLfloat>::infinity(),
@@ -192,6 +217,8 @@ Cases screen_error_cases() {
                             "Only the refinement's own curve is measured.", check_stage),
           screen_error_case("least", {"11.R.4-18"}, "With pixels too, an edge has the lesser depth.",
                             "The greater depth.", check_least),
+          screen_error_case("culling", {"11.R.4-25"}, "Repeat a draw often, cull the other side, and repeat it.",
+                            "Depths of a culled triangle are used when it shows again.", check_culling),
           screen_error_case("refused", {"11.R.2-37", "11.R.2-39", "errors-25"},
                             "Numbers and integers out of the range.", "Negative numbers are accepted.", check_refused)};
 }

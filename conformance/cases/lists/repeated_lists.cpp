@@ -222,6 +222,26 @@ void check_stack(Test& t, bool is_compiled_late) {
   t.expect_no_error("the calls");
 }
 
+// GL stops at some depth of nesting, which may be any from 64 on.
+void check_recursion(Test& t, bool by_base) {
+  const GLubyte names[] = {2};
+  compile_as(12, [&] {
+    triangle();
+    by_base ? gl.CallLists(1, GL_UNSIGNED_BYTE, names) : gl.CallList(12);
+  });
+  gl.ListBase(10);
+  const auto draw = [] { gl.CallList(12); };
+  const GLuint plain = count_generated(draw);
+  t.require(plain >= 1 && plain < 100000, "GL draws nested lists to some depth");
+  refine();
+  for (const GLint tag : {1, 2}) {
+    gl.DepthTag1i(tag);
+    for (int again = 0; again < calls; ++again)
+      t.expect_equal(count_generated(draw), plain << (2 * tag), "triangles of nested lists");
+  }
+  t.expect_no_error("the calls");
+}
+
 constexpr Area list_case{.prefix = "ark.list.again.", .apis = compat_only};
 
 }  // namespace
@@ -240,6 +260,10 @@ Cases repeated_lists_cases() {
       list_case("compiled_base", {"chapter-21-4"},
                 "ListBase in a list: call CallLists before the list is called, and after.",
                 "The base counts during compilation, or never.", check_compiled_base),
+      list_case("recursion", {"chapter-21-4"}, "Call a list that calls itself by CallList.",
+                "Fewer lists, or a crash.", [](Test& t) { check_recursion(t, false); }),
+      list_case("recursion_by_base", {"chapter-21-4"}, "Call a list that calls itself by CallLists.",
+                "Fewer lists, or a crash.", [](Test& t) { check_recursion(t, true); }),
       list_case("pool", {"chapter-21-7", "11.R.1-6"}, "Call ARKinit with a lower level while a list is compiled.",
                 "The current tag stays above the pool, or the list sets it.", check_pool_while_compiling),
       list_case(

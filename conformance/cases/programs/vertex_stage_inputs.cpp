@@ -99,8 +99,8 @@ void check_changed_uniform(Test& t) {
 }
 
 // Between draws, the block gets another binding, and a binding gets another buffer.
-void check_changed_block(Test& t) {
-  const GLuint program = record_program(t, "layout(std140) uniform Block { vec4 value; };", "value");
+void check_changed_block(Test& t, const std::string& name) {
+  const GLuint program = record_program(t, "layout(std140) uniform " + name + " { vec4 value; };", "value");
   gl.UseProgram(program);
   upload(one_triangle());
   refine_uniformly(1);
@@ -116,7 +116,7 @@ void check_changed_block(Test& t) {
       if (!t.expect_equal(record[4], value, what)) return;
   };
   expect(1, "the initial binding");
-  const GLuint block = gl.GetUniformBlockIndex(program, "Block");
+  const GLuint block = gl.GetUniformBlockIndex(program, name.c_str());
   for (const GLuint binding : {2U, 1U, 0U}) {
     gl.UniformBlockBinding(program, block, binding);
     expect(static_cast<float>(binding + 1), "after UniformBlockBinding");
@@ -125,11 +125,11 @@ void check_changed_block(Test& t) {
   expect(3, "after BindBufferBase");
 }
 
-void check_changed_storage(Test& t) {
+void check_changed_storage(Test& t, const std::string& name) {
   GLint blocks = 0;
   gl.GetIntegerv(GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS, &blocks);
   if (blocks < 1) t.not_supported("no storage blocks in vertex stages");
-  const GLuint program = record_program(t, "layout(std430, binding = 2) buffer Store { vec4 value; };", "value");
+  const GLuint program = record_program(t, "layout(std430, binding = 2) buffer " + name + " { vec4 value; };", "value");
   gl.UseProgram(program);
   upload(one_triangle());
   refine_uniformly(1);
@@ -284,8 +284,14 @@ Cases vertex_stage_inputs_cases() {
       check_changed_uniform, every_api);
   add("reads.fixed_function", {"11.R.10-1"}, "Draw with matrices of the fixed-function stage.", "Other matrices.",
       check_fixed_function, compat_only);
-  add("reads.changed_block", {"11.R.10-1"}, "Change the binding of a uniform block, and of a buffer, between draws.",
-      "The binding of the first draw.", check_changed_block, every_api);
+  const std::string long_name(300, 'b');
+  add(
+      "reads.changed_block", {"11.R.10-1"}, "Change the binding of a uniform block, and of a buffer, between draws.",
+      "The binding of the first draw.", [](Test& t) { check_changed_block(t, "Block"); }, every_api);
+  add(
+      "reads.changed_block.long_name", {"11.R.10-1"}, "The same; the block's name has 300 letters.",
+      "The binding of the first draw, if the name is cut.", [=](Test& t) { check_changed_block(t, long_name); },
+      every_api);
   for (const auto& [leaf, before, capability] :
        {std::tuple<const char*, std::vector<GLenum>, GLenum>{"lighting", {GL_LIGHT0}, GL_LIGHTING},
         {"light_0", {GL_LIGHTING}, GL_LIGHT0},
@@ -301,9 +307,15 @@ Cases vertex_stage_inputs_cases() {
          .check = [before = before, capability = capability](Test& t) {
            check_changed_capability(t, before, capability);
          }});
-  add("reads.changed_storage_block", {"11.R.10-1"}, "Change the binding of a storage block between draws.",
-      "The binding of the first draw.", check_changed_storage, desktop_apis);
+  add(
+      "reads.changed_storage_block", {"11.R.10-1"}, "Change the binding of a storage block between draws.",
+      "The binding of the first draw.", [](Test& t) { check_changed_storage(t, "Store"); }, desktop_apis);
   cases.back().is_optional = true;  // storage blocks in vertex stages
+  add(
+      "reads.changed_storage_block.long_name", {"11.R.10-1"}, "The same; the block's name has 300 letters.",
+      "The binding of the first draw, if the name is cut.", [=](Test& t) { check_changed_storage(t, long_name); },
+      desktop_apis);
+  cases.back().is_optional = true;
   add("refinement_shader_of_fixed_function", {"11.R.9-4"},
       "A refinement shader of program 0 moves the triangle out of sight, in several states of the fixed-function "
       "stage.",

@@ -220,6 +220,31 @@ void check_feedback_instances(Test& t) {
   t.expect_no_error("the draws");
 }
 
+// The bound pipeline gets another program for a stage. All programs are separable, and have the same interface.
+void check_pipeline_stages(Test& t, bool is_uniform) {
+  const auto vertex_stage = [](const char* position) {
+    return std::string("layout(location = 0) in vec4 position; layout(location = 3) in vec4 vertex_colour;\n"
+                       "layout(location = 0) out vec4 colour;\n"
+                       "void main() { colour = vertex_colour; gl_Position = ") +
+           position + "; }\n";
+  };
+  const auto fragment_stage = [](const char* value) {
+    return std::string("layout(location = 0) in vec4 colour; out vec4 pixel; void main() { pixel = ") + value + "; }\n";
+  };
+  const Pipeline pipeline = bind_pipeline(t, vertex_stage("position"), fragment_stage("colour"));
+  const GLuint turned = separable_program(t, GL_VERTEX_SHADER, vertex_stage("vec4(-position.yx, position.zw)"));
+  const GLuint bright = separable_program(t, GL_FRAGMENT_SHADER, fragment_stage("1.0 - 0.5 * colour"));
+  gl.UseProgram(0);
+  upload(two_triangles());
+  refine(is_uniform);
+  const auto use = [&pipeline](GLbitfield stage, GLuint program) {
+    return [&pipeline, stage, program] { gl.UseProgramStages(pipeline.name, stage, program); };
+  };
+  expect_change(t, draw_all, use(GL_VERTEX_SHADER_BIT, turned), "another vertex stage");
+  expect_change(t, draw_all, use(GL_FRAGMENT_SHADER_BIT, bright), "another fragment stage");
+  expect_change(t, draw_all, use(GL_VERTEX_SHADER_BIT, pipeline.vertex_program), "the first vertex stage");
+}
+
 constexpr Area again_case{"ark.draw.again."};
 
 }  // namespace
@@ -232,6 +257,10 @@ Cases changed_bindings_cases() {
         "persistent" + leaf, {"10.R.2-1", "11.R.13-1"}, "Repeat a draw, write to its mapped colours, and repeat it.",
         "The earlier colours of the draw.", [is_uniform](Test& t) { check_persistent(t, is_uniform); }, desktop_apis));
     cases.back().is_optional = true;  // buffers that stay mapped
+    cases.push_back(again_case("pipeline_stage" + leaf, {"10.R.2-1", "11.R.10-1"},
+                               "Repeat a draw of a program pipeline, give the pipeline another vertex or fragment "
+                               "stage by UseProgramStages, and repeat it.",
+                               "The earlier stage.", [is_uniform](Test& t) { check_pipeline_stages(t, is_uniform); }));
     cases.push_back(again_case("object" + leaf, {"10.R.1-28", "10.R.2-1"},
                                "Repeat a draw, delete the vertex array object, make one with fewer arrays, and repeat "
                                "the draw with two current values.",

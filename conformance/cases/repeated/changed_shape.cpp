@@ -117,6 +117,7 @@ std::vector<Change> changes_of_texture(GLuint texture, GLuint other, GLuint samp
           {"the scale", [] { gl.ARKParameterfARK(GL_DISPLACEMENT_SCALE_ARK, -0.4F); }},
           {"the bias", [] { gl.ARKParameterfARK(GL_DISPLACEMENT_BIAS_ARK, 0.3F); }},
           {"the channel", [] { gl.ARKParameteriARK(GL_DISPLACEMENT_CHANNEL_ARK, GL_GREEN); }},
+          {"another unit", [] { gl.ARKParameteriARK(GL_DISPLACEMENT_UNIT_ARK, unit + 1); }},
           {"no displacement", [] { gl.ARKParameteriARK(GL_DISPLACEMENT_UNIT_ARK, -1); }}};
 }
 
@@ -130,6 +131,9 @@ void prepare_displacement(Test& t, GLuint& texture, GLuint& other) {
     gl.GetIntegerv(GL_TEXTURE_BINDING_2D, &name);
     *made = static_cast<GLuint>(name);
   }
+  gl.ActiveTexture(GL_TEXTURE0 + unit + 1);
+  gl.BindTexture(GL_TEXTURE_2D, other);
+  gl.ActiveTexture(GL_TEXTURE0 + unit);
   refine_uniformly(4, GL_CURVED_PN_ARK);
   gl.ARKParameteriARK(GL_DISPLACEMENT_UNIT_ARK, unit);
   gl.ARKParameterfARK(GL_DISPLACEMENT_SCALE_ARK, 0.4F);

@@ -51,8 +51,8 @@ GLuint link(const gl::Dispatch& gl, const EvaluationSource& source, const Inputs
 EvaluationProgram EvaluationPrograms::build(const Request& request) {
   const core::DerivedProgram& derived = *request.derived;
   const capture::Language language = capture::language_of(env_.capabilities);
-  EvaluationSource source = evaluation_source(
-      {derived, core::constant_tags(env_.options), request.placed, request.refinement_source, language});
+  EvaluationSource source = evaluation_source({derived, core::constant_tags(env_.options), request.placed,
+                                               request.refinement_source, language, env_.options.transparent});
   const auto found = by_source_.find(source.vertex);
   if (found != by_source_.end() && source.error.empty()) {
     return found->second;

@@ -73,6 +73,7 @@ EvaluationSource evaluation_source(const EvaluationRequest& wanted) {
   request.coordinate_field = derived.shape_fields.coordinate;
   request.scalar_tags = wanted.constant_tags;
   request.placed = wanted.placed;
+  request.creased = wanted.creased;
   request.refinement_source = wanted.refinement_source;
   refine::Derivation derivation = refine::derive_vertex_stage(request);
   if (!derivation.ok) {

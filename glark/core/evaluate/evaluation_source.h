@@ -28,6 +28,7 @@ struct EvaluationRequest {
   bool placed = false;                 // pieces have a placement
   std::string_view refinement_source;  // the application's refinement shader, or empty
   capture::Language language = capture::Language::core;
+  bool creased = false;  // see refine::DeriveRequest
 };
 EvaluationSource evaluation_source(const EvaluationRequest& request);
 

@@ -112,6 +112,7 @@ class Deriver {
     plan_.provoking_corner = std::clamp(request_.provoking_corner, 0, 2);
     plan_.corner_words = request_.layout.corner_words;
     plan_.control_offset = request_.layout.control_offset;
+    plan_.creased = request_.creased;
     plan_.border_offset = request_.layout.border_offset;
     plan_.placed = request_.placed;
     plan_.stored = request_.stored;

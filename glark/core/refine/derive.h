@@ -68,6 +68,7 @@ struct DeriveRequest {
   bool at_corner = false;    // each vertex is one captured corner, which the chunks hold; nothing is refined
   bool at_points = false;    // only the position counts; each vertex is a triangle, and instances are lattice points
   bool morphing = false;     // the placement holds edge depths, and vertices move between levels; with a placement only
+  bool creased = false;      // welded edges may be straight although their normals lean along them
   bool placed = true;        // false: without the patch input; the piece covers the triangle
   int provoking_corner = 2;  // corner whose value a flat output takes
   OutputRules outputs;

@@ -10,7 +10,8 @@
 //   draw.
 // - The control points of an edge stay within half the least height of all triangles at this edge. Triangles without an
 //   area do not count.
-// - A triangle with one normal is meant to be flat. If this normal is not that of its face, its edges are straight.
+// - A triangle whose normals lean away from its face, farther than they lie apart, is no piece of a surface with these
+//   normals. Its edges are straight.
 // - A piece in one plane that has the normal of the plane at a corner is the face of a body. Its boundary is straight.
 //
 // Angles come from the positions alone: a triangle lies on one side of its edge, in a direction that its winding does
@@ -80,20 +81,35 @@ Face face_of(uvec4 a, uvec4 b, uvec4 c) {
   return Face(scale * height, has_area ? twice_area : vec3(0.0));
 }
 
-// Returns whether a triangle has one normal, which leans away from the normal of its face. Such a triangle is meant to
-// be flat; the lean is a mistake, or does not matter to the program. A lid with its own normal does not lean, so that
-// its edge follows the wall.
-bool is_flat_but_leans(int half_edge, vec3 unit_normal_of_face) {
-  const float least_cosine = 0.9994;  // 2 degrees: normals have few digits
+// Returns whether the normals of a triangle are not those of a surface near its face: the normal of the face lies farther
+// away from each of them than they lie apart. The normals of a surface turn about that of the face. Such a triangle stays
+// flat; the lean is a mistake, or does not matter to the program. With one normal it is meant to be flat. A lid with its
+// own normal does not lean, so that its edge follows the wall. Opposite normals are the same.
+bool leans_away(int half_edge, vec3 unit_normal_of_face) {
+  const vec2 two_degrees = vec2(0.9994, 0.0349);  // cosine and sine: normals have few digits
+  const vec2 twenty_degrees = vec2(0.9397, 0.3420);
   uvec4 plane = plane_of(half_edge);
-  bool one_normal = plane != uvec4(0u);
+  bool one_normal = true;
+  float nearest = 0.0;  // cosine of the least angle between a normal and that of the face
+  float spread = 1.0;   // cosine of the greatest angle between two normals
   int corner = half_edge;
-  for (int end = 0; end < ends_of_edge; ++end) {
+  for (int i = 0; i < corners_of_triangle; ++i) {
     corner = next_corner(corner);
-    one_normal = one_normal && plane == plane_of(corner);
+    uvec4 next = plane_of(corner);
+    if (next == uvec4(0u)) {
+      return false;
+    }
+    vec3 normal = glark_pn_unit(uintBitsToFloat(next.xyz));
+    precise float of_face = abs(dot(normal, unit_normal_of_face));
+    precise float of_both = abs(dot(normal, glark_pn_unit(uintBitsToFloat(plane.xyz))));
+    nearest = max(nearest, of_face);
+    spread = min(spread, of_both);
+    one_normal = one_normal && next == plane;
+    plane = next;
   }
-  precise float cosine = dot(glark_pn_unit(uintBitsToFloat(plane.xyz)), unit_normal_of_face);
-  return one_normal && abs(cosine) < least_cosine;
+  vec2 more = one_normal ? two_degrees : twenty_degrees;
+  precise float of_sum = spread * more.x - sqrt(max(1.0 - spread * spread, 0.0)) * more.y;
+  return nearest < of_sum;
 }
 
 // Adds a side to the list of its edge, and its height to the least one. Bits of positive numbers are in the order of
@@ -117,7 +133,7 @@ void measure_face(int half_edge) {
   }
   tables[next_side(half_edge)] = atomicExchange(tables[first_side(slot)], side_name(half_edge, falling));
   if (face.normal != vec3(0.0)) {
-    float height = is_flat_but_leans(half_edge, unit_normal) ? 0.0 : face.least_height;
+    float height = leans_away(half_edge, unit_normal) ? 0.0 : face.least_height;
     atomicMax(tables[height_of(slot)], ~floatBitsToUint(height));
   }
 }

@@ -224,27 +224,16 @@ def qt3d(name: str) -> Stranger:
 LAST_SAVERS = [saver(name) for name in (
     "antmaze", "antspotlight", "atunnel", "blinkbox", "blocktube", "boxed", "bubble3d", "cage", "chompytower",
     "circuit", "cityflow", "crackberg", "crumbler", "cubestack", "cubestorm", "cubetwist", "cubicgrid", "deepstars",
-    "energystream", "esper", "extrusion", "flipflop", "flyingtoasters", "geodesic", "gflux", "gibson", "glblur",
+    "energystream", "esper", "extrusion", "flipflop", "flyingtoasters", "geodesic", "gibson", "glblur",
     "glcells", "gleidescope", "gravitywell", "hexstrut", "hextrail", "hilbert", "hypnowheel", "jigsaw", "klein",
     "lockward", "morph3d", "nakagin", "noof", "polytopes", "projectiveplane", "providence", "quasicrystal",
     "razzledazzle", "rubikblocks", "sonar", "spheremonics", "sproingies", "starwars", "surfaces", "tangram",
     "timetunnel", "unicrud", "unknownpleasures", "voronoi")]
 
 MET_LAST = [
-    qt3d("basicshapes-cpp"), qt3d("shadow-map-qml"), qt3d("wave"), qt3d("pbr-materials"),
+    qt3d("basicshapes-cpp"), qt3d("shadow-map-qml"),
     Stranger("GTK 4 gears", "toolkit", ("gtk-4-examples",), ["/usr/bin/gtk4-demo", "--run=gears"], frames=60, environment=GLX),
-    Stranger("SDL testgles2", "toolkit", ("libsdl2-tests",), ["/usr/libexec/installed-tests/SDL2/testgles2"], egl=True, seconds=5,
-             frames=60),
     scene("vispy", "python3-vispy"),
-    Stranger("Octave", "language", ("octave", "fonts-freefont-otf"),
-             ["/usr/bin/octave", "--no-gui", "--silent", str(SCENES / "octave_scene.m")], seconds=20, frames=60),
-    Stranger("Geomview", "viewer", ("geomview",), ["/usr/bin/geomview", "-nopanels", "-wpos", "320x240@0,0",
-             "/usr/share/geomview/geom/torus3.oogl"], seconds=12, frames=60,
-             keys=((6, DRAG[0][1].replace("200 220", "150 120")),)),
-    Stranger("XCrySDen", "molecules", ("xcrysden",), ["/usr/bin/xcrysden", "--xyz", f"{MODELS}/molecule.xyz"], seconds=12, frames=60,
-             keys=DRAG),
-    Stranger("Mokomaze", "game, in play", ("mokomaze",), ["/usr/games/mokomaze"], seconds=10, frames=100,
-             keys=((4, "keydown Right"),)),
 ]
 
 PROGRAMS = [*TOOLKITS, *DESKTOP, *MORE, *GAMES, *SAVERS, *SHOOTERS, *LAST_MET, *MET_AFTERWARDS, *LAST_SAVERS, *MET_LAST]

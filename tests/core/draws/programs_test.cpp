@@ -198,6 +198,30 @@ TEST_P(DrawsPrograms, UniformBlocks) {
   expect_same_scene({4}, draw);
 }
 
+TEST_P(DrawsPrograms, BlocksWithLongNames) {
+  const std::string look(300, 'l'), data(600, 'd');
+  const GLuint program = use("layout(std140) uniform " + look +
+                                 " { vec4 tint; }; layout(std430, binding = 3) readonly buffer " + data +
+                                 " { float data[]; }; out vec3 c;\n",
+                             "c = c * tint.rgb * data[2];\n");
+  const auto make_block = [](GLenum target, GLuint binding, const std::vector<GLfloat>& values) {
+    glBindBufferBase(target, binding, make_buffer(target, values));
+  };
+  make_block(GL_UNIFORM_BUFFER, 5, {0, 0, 0.2F, 0});
+  make_block(GL_UNIFORM_BUFFER, 7, {1, 0.5F, 0.2F, 0});
+  make_block(GL_SHADER_STORAGE_BUFFER, 3, {0, 0, 0.8F, 0});
+  make_block(GL_SHADER_STORAGE_BUFFER, 4, {0, 0, 0.4F, 0});
+  const auto bind = [&](GLuint uniforms, GLuint storage) {
+    glUniformBlockBinding(program, glGetUniformBlockIndex(program, look.c_str()), uniforms);
+    glShaderStorageBlockBinding(program, glGetProgramResourceIndex(program, GL_SHADER_STORAGE_BLOCK, data.c_str()),
+                                storage);
+  };
+  bind(5, 3);
+  expect_same_scene({4}, draw);
+  bind(7, 4);
+  expect_same_scene({4}, draw);
+}
+
 TEST_P(DrawsPrograms, Samplers) {
   const GLuint program = use("uniform sampler2D height; uniform sampler2D other[2]; out vec3 c;\n",
                              "c = texture(height, vec2(0.5)).rgb * 0.5 + textureLod(other[1], vec2(0.5), 0.0).rgb;\n",

@@ -141,6 +141,22 @@ TEST_F(CreasedPictures, NormalsAreStillInterpolated) {
   EXPECT_EQ(differ, 0);
 }
 
+// Normals that lean along straight edges are not reflected, neither at first nor in refined vertices that are kept.
+TEST_F(CreasedPictures, NormalsTurnEvenlyAlongStraightEdges) {
+  const SplitMesh mesh = leaning_ring();
+  const std::array<GLfloat, 4> scale{1.1F, 1, 1.1F, 0.1F};
+  start({.refinement = Refinement::linear_inputs});
+  const Pixels coarse = draw(mesh, scale);
+  ASSERT_GT(covered(coarse), 100);
+  start({.refinement = Refinement::pn});
+  for (int again = 0; again < 8; ++again) {
+    const Pixels curved = draw(mesh, scale);
+    int differ = 0;
+    for (std::size_t i = 0; i < coarse.size(); ++i) differ += std::abs(curved[i] - coarse[i]) > 8 ? 1 : 0;
+    EXPECT_LE(differ, 8) << again;
+  }
+}
+
 // Edges measured by curvature, vertices that move between levels, and polygons split at their centroids.
 TEST_F(CreasedPictures, DepthsAndPolygonsDoNotMatter) {
   start({.refinement = Refinement::linear_inputs});

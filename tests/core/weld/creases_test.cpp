@@ -161,6 +161,8 @@ TEST_F(Creases, StripsOfABallStayCurved) {
 }
 
 // Each face is a draw of its own, as where faces have different textures.
+TEST_F(Creases, NormalsOfNoSurfaceBendNothing) { expect_straight(leaning_ring()); }
+
 TEST_F(Creases, FacesDrawnAloneKeepTheirShape) {
   SplitMesh box = averaged(cube());
   for (CurvedVertex& vertex : box.vertices) vertex.normal = unit(vertex.position);

@@ -50,6 +50,7 @@ struct EpiloguePlan {
   int provoking_corner = 2;
   int corner_words = 0;
   int control_offset = -1;  // word of the welded control points in a corner; -1: computed from the corners' own normals
+  bool creased = false;     // see DeriveRequest
   int border_offset = -1;   // word of the welded normals and coordinates for displacement; -1: the triangle's own
   int chunk_count = 0;
   std::vector<InputVariable> inputs;

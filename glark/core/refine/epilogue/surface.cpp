@@ -59,6 +59,16 @@ std::string control(const EpiloguePlan& plan, int near, int far) {
   return "@pn_tangent(" + numbered("@p", near) + ", " + numbered("@n", near) + ", " + numbered("@p", far) + ")";
 }
 
+// The control points of all edges, as further arguments.
+std::string controls(const EpiloguePlan& plan) {
+  std::string text;
+  for (int corner = 0; corner < 3; ++corner) {
+    const int next = (corner + 1) % 3;
+    text += ", " + control(plan, corner, next) + ", " + control(plan, next, corner);
+  }
+  return text;
+}
+
 std::string fill_from_patch(const EpiloguePlan& plan, TypeSet& mixed_types) {
   const InputVariable& position = *position_of(plan);
   const InputVariable& normal = *normal_of(plan);
@@ -68,8 +78,9 @@ std::string fill_from_patch(const EpiloguePlan& plan, TypeSet& mixed_types) {
   if (!plan.traits().curves_normals) return text;
   std::string corners = "(@weights, @p0.xyz, @p1.xyz, @p2.xyz";
   for (int corner = 0; corner < 3; ++corner) corners += ", " + resized(plan, normal, corner, 3);
-  return text + "  " + normal.global + " = " + with_linear_w(plan, normal, "@pn_normal" + corners + ")", mixed_types) +
-         ";\n";
+  const bool creased = plan.creased && plan.control_offset >= 0;
+  const std::string value = creased ? "@pn_normal_beside_creases" + corners + controls(plan) : "@pn_normal" + corners;
+  return text + "  " + normal.global + " = " + with_linear_w(plan, normal, value + ")", mixed_types) + ";\n";
 }
 
 }  // namespace
@@ -98,12 +109,7 @@ std::string with_linear_w(const EpiloguePlan& plan, const InputVariable& input, 
 std::string patch_arguments(const EpiloguePlan& plan) {
   std::string text = "(@weights, ";
   if (plan.traits().number.exists()) text += std::string(shape_number_uniform) + ", ";
-  text += "@p0.xyz, @p1.xyz, @p2.xyz";
-  for (int corner = 0; corner < 3; ++corner) {
-    const int next = (corner + 1) % 3;
-    text += ", " + control(plan, corner, next) + ", " + control(plan, next, corner);
-  }
-  return text;
+  return text + "@p0.xyz, @p1.xyz, @p2.xyz" + controls(plan);
 }
 
 std::string surface_functions(const EpiloguePlan& plan) {

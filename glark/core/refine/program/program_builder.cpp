@@ -269,6 +269,7 @@ DeriveRequest ProgramBuilder::request_for(core::Program& program, const core::De
   request.at_points = key.at_points;
   request.placed = key.placed && !key.at_points;
   request.morphing = key.morphing;
+  request.creased = traits_.transparent;
   request.provoking_corner = key.provoking_corner;
   request.outputs = {key.flat_colors, key.clamp_colors, words_of_positions(sources_of(program, GL_GEOMETRY_SHADER))};
   // gl_VertexID has no value between corners. So the stage runs on the corners, and the refinement shader is ignored.

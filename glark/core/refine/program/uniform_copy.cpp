@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "glark/core/capture/layout.h"
+#include "glark/core/objects/resource_name.h"
 
 namespace glark::refine {
 namespace {
@@ -232,12 +233,6 @@ void copy_value(const gl::Dispatch& gl, GLuint from, GLint source, GLuint to, GL
   }
 }
 
-std::string resource_name(const gl::Dispatch& gl, GLuint program, GLenum interface, GLuint index) {
-  std::array<char, 512> name{};
-  gl.GetProgramResourceName(program, interface, index, static_cast<GLsizei>(name.size()), nullptr, name.data());
-  return name.data();
-}
-
 void copy_fragment_outputs(const gl::Dispatch& gl, GLuint from, GLuint to) {
   if (gl.BindFragDataLocationIndexed == nullptr || gl.GetProgramInterfaceiv == nullptr) {
     return;
@@ -245,7 +240,7 @@ void copy_fragment_outputs(const gl::Dispatch& gl, GLuint from, GLuint to) {
   GLint count = 0;
   gl.GetProgramInterfaceiv(from, GL_PROGRAM_OUTPUT, GL_ACTIVE_RESOURCES, &count);
   for (GLint i = 0; i < count; ++i) {
-    const std::string name = resource_name(gl, from, GL_PROGRAM_OUTPUT, static_cast<GLuint>(i));
+    const std::string name = core::resource_name(gl, from, GL_PROGRAM_OUTPUT, static_cast<GLuint>(i));
     if (name.rfind("gl_", 0) == 0) {
       continue;
     }
@@ -264,9 +259,11 @@ void copy_feedback_varyings(const gl::Dispatch& gl, GLuint from, GLuint to) {
   GLint mode = GL_INTERLEAVED_ATTRIBS;
   gl.GetProgramiv(from, GL_TRANSFORM_FEEDBACK_VARYINGS, &count);
   gl.GetProgramiv(from, GL_TRANSFORM_FEEDBACK_BUFFER_MODE, &mode);
+  GLint longest = 1;
+  gl.GetProgramiv(from, GL_TRANSFORM_FEEDBACK_VARYING_MAX_LENGTH, &longest);
   std::vector<std::string> names;
   for (GLint i = 0; i < count; ++i) {
-    std::array<char, 512> name{};
+    std::vector<char> name(static_cast<std::size_t>(longest) + 1);
     GLsizei size = 0;
     GLenum type = 0;
     gl.GetTransformFeedbackVarying(from, static_cast<GLuint>(i), static_cast<GLsizei>(name.size()), nullptr, &size,
@@ -381,7 +378,7 @@ void copy_block_bindings(const gl::Dispatch& gl, GLuint from, GLuint to) {
   GLint count = 0;
   gl.GetProgramiv(from, GL_ACTIVE_UNIFORM_BLOCKS, &count);
   for (GLint i = 0; i < count; ++i) {
-    const std::string name = resource_name(gl, from, GL_UNIFORM_BLOCK, static_cast<GLuint>(i));
+    const std::string name = core::resource_name(gl, from, GL_UNIFORM_BLOCK, static_cast<GLuint>(i));
     const GLuint index = gl.GetUniformBlockIndex(to, name.c_str());
     GLint binding = 0;
     gl.GetActiveUniformBlockiv(from, static_cast<GLuint>(i), GL_UNIFORM_BLOCK_BINDING, &binding);
@@ -394,7 +391,7 @@ void copy_block_bindings(const gl::Dispatch& gl, GLuint from, GLuint to) {
   }
   gl.GetProgramInterfaceiv(from, GL_SHADER_STORAGE_BLOCK, GL_ACTIVE_RESOURCES, &count);
   for (GLint i = 0; i < count; ++i) {
-    const std::string name = resource_name(gl, from, GL_SHADER_STORAGE_BLOCK, static_cast<GLuint>(i));
+    const std::string name = core::resource_name(gl, from, GL_SHADER_STORAGE_BLOCK, static_cast<GLuint>(i));
     const GLuint index = gl.GetProgramResourceIndex(to, GL_SHADER_STORAGE_BLOCK, name.c_str());
     const GLenum property = GL_BUFFER_BINDING;
     GLint binding = 0;

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "glark/core/objects/resource_name.h"
 #include "glark/core/report/log.h"
 #include "glark/core/track/track.h"
 
@@ -120,8 +121,7 @@ void UniformBlockBinding(Context& c, GLuint program, GLuint index, GLuint bindin
   c.gl().UniformBlockBinding(program, index, binding);
   if (c.state().programs().mirroring()) {
     for (const UniformMirror& mirror : c.state().programs().mirrors(c.state().bindings(), program)) {
-      std::string name(256, '\0');
-      c.gl().GetActiveUniformBlockName(program, index, static_cast<GLsizei>(name.size()), nullptr, name.data());
+      const std::string name = resource_name(c.gl(), program, GL_UNIFORM_BLOCK, index);
       const GLuint own = c.gl().GetUniformBlockIndex(mirror.program, name.c_str());
       if (own != GL_INVALID_INDEX) {
         c.gl().UniformBlockBinding(mirror.program, own, binding);
@@ -134,9 +134,7 @@ void ShaderStorageBlockBinding(Context& c, GLuint program, GLuint index, GLuint 
   c.gl().ShaderStorageBlockBinding(program, index, binding);
   if (c.state().programs().mirroring()) {
     for (const UniformMirror& mirror : c.state().programs().mirrors(c.state().bindings(), program)) {
-      std::string name(256, '\0');
-      c.gl().GetProgramResourceName(program, GL_SHADER_STORAGE_BLOCK, index, static_cast<GLsizei>(name.size()), nullptr,
-                                    name.data());
+      const std::string name = resource_name(c.gl(), program, GL_SHADER_STORAGE_BLOCK, index);
       const GLuint own = c.gl().GetProgramResourceIndex(mirror.program, GL_SHADER_STORAGE_BLOCK, name.c_str());
       if (own != GL_INVALID_INDEX) {
         c.gl().ShaderStorageBlockBinding(mirror.program, own, binding);

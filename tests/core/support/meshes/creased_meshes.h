@@ -162,6 +162,23 @@ inline SplitMesh zone_of_sphere(int sides, float low, float high) {
   return mesh;
 }
 
+// A ring of a shallow dish whose normals are its positions. They lean by 60 degrees, and turn as the ring does.
+inline SplitMesh leaning_ring() {
+  constexpr int sides = 72;
+  const auto at = [](int side, float radius, float z) {
+    const float turn = 2 * 3.14159265F * static_cast<float>(side % sides) / sides;
+    return Vector{radius * std::cos(turn), radius * std::sin(turn), z};
+  };
+  SplitMesh ring;
+  for (int side = 0; side < sides; ++side) {
+    const Vector a = at(side, 0.8F, 0.142F), b = at(side + 1, 0.8F, 0.142F), c = at(side + 1, 0.7F, 0.167F);
+    const Vector d = at(side, 0.7F, 0.167F);
+    ring.add({a, b, c}, {a, b, c});
+    ring.add({a, c, d}, {a, c, d});
+  }
+  return ring;
+}
+
 // The wall of a cone's frustum without lids. `top`: its upper radius; the lower one is 1, as the height.
 inline SplitMesh wall(int sides, float top) {
   SplitMesh mesh;
