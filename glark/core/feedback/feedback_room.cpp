@@ -13,8 +13,32 @@
 namespace glark::core {
 namespace {
 
+constexpr GLint most_buffers = 64;  // far more than any implementation has
+
+// Since OpenGL 4.4, the vertex stage itself may say in which buffer an output lies.
+std::vector<std::uint64_t> strides_of_buffers(const gl::Dispatch& gl, GLuint program) {
+  GLint count = 0;
+  gl.GetProgramInterfaceiv(program, GL_TRANSFORM_FEEDBACK_BUFFER, GL_ACTIVE_RESOURCES, &count);
+  std::vector<std::uint64_t> strides;
+  for (GLint i = 0; i < count; ++i) {
+    constexpr std::array<GLenum, 2> properties{GL_BUFFER_BINDING, GL_TRANSFORM_FEEDBACK_BUFFER_STRIDE};
+    std::array<GLint, 2> found{};  // the binding, and bytes
+    gl.GetProgramResourceiv(program, GL_TRANSFORM_FEEDBACK_BUFFER, static_cast<GLuint>(i), 2, properties.data(), 2, nullptr,
+                            found.data());
+    const auto binding = static_cast<std::size_t>(std::clamp(found[0], 0, most_buffers - 1));
+    strides.resize(std::max(strides.size(), binding + 1));
+    strides[binding] = static_cast<std::uint64_t>(std::max(found[1], 0));
+  }
+  return strides;
+}
+
 // The least number of bytes that a vertex takes in each buffer.
-std::vector<std::uint64_t> feedback_strides(const gl::Dispatch& gl, GLuint program) {
+std::vector<std::uint64_t> feedback_strides(const gl::Dispatch& gl, const Capabilities& capabilities, GLuint program) {
+  if (capabilities.api != Capabilities::Api::es && capabilities.version >= 44) {
+    if (std::vector<std::uint64_t> found = strides_of_buffers(gl, program); !found.empty()) {
+      return found;
+    }
+  }
   GLint count = 0;
   GLint mode = GL_INTERLEAVED_ATTRIBS;
   gl.GetProgramiv(program, GL_TRANSFORM_FEEDBACK_VARYINGS, &count);
@@ -70,7 +94,7 @@ void FeedbackRoom::note() {
   const GLuint program = capturing_program();
   std::uint64_t vertices = 0;
   if (program != 0) {
-    const std::vector<std::uint64_t> strides = feedback_strides(env_.gl, program);
+    const std::vector<std::uint64_t> strides = feedback_strides(env_.gl, env_.capabilities, program);
     for (std::size_t i = 0; i < strides.size(); ++i) {
       if (strides[i] > 0) {
         vertices = std::max(vertices, bytes_bound(env_.gl, static_cast<GLuint>(i)) / strides[i]);

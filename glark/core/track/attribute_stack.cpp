@@ -58,7 +58,7 @@ namespace hook {
 void PushAttrib(Context& c, GLbitfield mask) {
   c.gl().PushAttrib(mask);
   record(c, {StackStep::Kind::push, mask});
-  if (track::executes(c) && !c.state().immediate().open()) {
+  if (track::executes(c)) {
     push(c, mask);
   }
 }
@@ -67,7 +67,7 @@ void PopAttrib(Context& c) {
   c.gl().PopAttrib();
   c.changes().forget_in_list();
   record(c, {StackStep::Kind::pop});
-  if (!track::executes(c) || c.state().immediate().open()) {
+  if (!track::executes(c)) {
     return;
   }
   c.state().forget_bindings();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Hooks of buffer objects: which buffers are bound, and which ones the GPU may write.
+#include "glark/core/objects/get_integer.h"
 #include "glark/core/track/track.h"
 
 namespace glark::core {
@@ -11,6 +12,27 @@ namespace {
 bool surely_bound(const Context& c, GLuint buffer, std::uint64_t generation) {
   return !c.state().immediate().open() && (buffer == 0 || c.capabilities().api != Capabilities::Api::core ||
                                            c.state().arrays().bound_buffers().confirmed(buffer, generation));
+}
+
+// After the call: returns whether GL has accepted the name.
+bool has_accepted(Context& c, GLuint buffer) {
+  return surely_bound(c, buffer, c.share().buffers.generation(buffer)) || c.gl().IsBuffer(buffer) != GL_FALSE;
+}
+
+// After the call: returns whether GL has accepted the index of a binding that is tracked.
+bool has_accepted_index(Context& c, GLenum target, GLuint index) {
+  switch (target) {
+    case GL_SHADER_STORAGE_BUFFER:
+      return index < tracked_storage_bindings ||
+             index < static_cast<GLuint>(get_integer(c.gl(), GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS));
+    case GL_TRANSFORM_FEEDBACK_BUFFER: {
+      const bool es = c.capabilities().api == Capabilities::Api::es;
+      const GLenum limit = es ? GL_MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS : GL_MAX_TRANSFORM_FEEDBACK_BUFFERS;
+      return !c.state().bindings().transform_feedback.active &&
+             index < static_cast<GLuint>(get_integer(c.gl(), limit));
+    }
+    default: return true;
+  }
 }
 
 // Notes the buffer that writes to `target` change. If this is uncertain, the first write asks GL.
@@ -51,6 +73,14 @@ void set_binding(Context& c, GLenum target, GLuint buffer) {
   }
 }
 
+// GL may have refused the index or the alignment.
+void forget_range(Context& c, GLenum target, GLuint buffer) {
+  follow_indexed(c, target, buffer);
+  if (target == GL_SHADER_STORAGE_BUFFER || target == GL_TRANSFORM_FEEDBACK_BUFFER) {
+    c.state().forget_bindings();
+  }
+}
+
 void set_indexed(Context& c, GLenum target, GLuint index, const IndexedBuffer& binding) {
   if (target == GL_SHADER_STORAGE_BUFFER && index < c.state().bindings().storage.size()) {
     c.state().bindings().storage[index] = binding;
@@ -66,37 +96,42 @@ void BindBuffer(Context& c, GLenum target, GLuint buffer) {
   if (target == GL_ARRAY_BUFFER) {
     const std::uint64_t generation = c.share().buffers.generation(buffer);
     c.state().arrays().bound_buffers().array() = {surely_bound(c, buffer, generation), buffer, generation};
-  } else {
-    set_binding(c, target, buffer);
-    follow_binding(c, target, buffer);
+    c.gl().BindBuffer(target, buffer);
+    return;
   }
+  c.gl().BindBuffer(target, buffer);
+  if (c.state().immediate().open()) {
+    return;  // GL has refused
+  }
+  if (has_accepted(c, buffer)) {
+    set_binding(c, target, buffer);
+  }
+  follow_binding(c, target, buffer);
   if (target == GL_EXTERNAL_VIRTUAL_MEMORY_BUFFER_AMD) {
     c.writes().never_trust_buffer(buffer);  // its contents are the application's memory
   }
-  c.gl().BindBuffer(target, buffer);
 }
 
 void BindBufferBase(Context& c, GLenum target, GLuint index, GLuint buffer) {
   c.gl().BindBufferBase(target, index, buffer);
-  set_binding(c, target, buffer);
-  set_indexed(c, target, index, {buffer, 0, 0});
+  if (c.state().immediate().open()) {
+    return;  // GL has refused
+  }
+  if (has_accepted_index(c, target, index) && has_accepted(c, buffer)) {
+    set_binding(c, target, buffer);
+    set_indexed(c, target, index, {buffer, 0, 0});
+  }
   follow_indexed(c, target, buffer);
 }
 
 void BindBufferRange(Context& c, GLenum target, GLuint index, GLuint buffer, GLintptr offset, GLsizeiptr size) {
   c.gl().BindBufferRange(target, index, buffer, offset, size);
-  follow_indexed(c, target, buffer);
-  if (target == GL_SHADER_STORAGE_BUFFER) {
-    c.state().forget_bindings();  // GL may refuse the alignment
-  } else {
-    set_binding(c, target, buffer);
-  }
+  forget_range(c, target, buffer);
 }
 
 void BindBufferOffsetEXT(Context& c, GLenum target, GLuint index, GLuint buffer, GLintptr offset) {
   c.gl().BindBufferOffsetEXT(target, index, buffer, offset);
-  follow_indexed(c, target, buffer);
-  set_binding(c, target, buffer);
+  forget_range(c, target, buffer);
 }
 
 void BindBuffersBase(Context& c, GLenum target, GLuint first, GLsizei count, const GLuint* buffers) {

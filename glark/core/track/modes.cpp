@@ -229,8 +229,14 @@ void MatrixMode(Context& c, GLenum mode) {
 }
 
 void Viewport(Context& c, GLint x, GLint y, GLsizei width, GLsizei height) {
+  constexpr GLsizei certainly_possible = 4096;  // GL clamps what is beyond GL_MAX_VIEWPORT_DIMS
   c.gl().Viewport(x, y, width, height);
-  if (track::executes(c) && width >= 0 && height >= 0) {
+  if (!track::executes(c) || width < 0 || height < 0) {
+    return;
+  }
+  if (std::max(width, height) > certainly_possible) {
+    c.state().forget_bindings();
+  } else {
     c.state().bindings().viewport = {static_cast<float>(width), static_cast<float>(height)};
   }
 }
@@ -262,7 +268,7 @@ void PolygonMode(Context& c, GLenum face, GLenum mode) {
     return;
   }
   const bool one_face = c.capabilities().is_compatibility() && (face == GL_FRONT || face == GL_BACK);
-  if ((!one_face && face != GL_FRONT_AND_BACK) || mode < GL_POINT || mode > GL_FILL || c.state().immediate().open()) {
+  if ((!one_face && face != GL_FRONT_AND_BACK) || mode < GL_POINT || mode > GL_FILL) {
     c.state().forget_bindings();  // GL may have refused
     return;
   }
@@ -272,15 +278,14 @@ void PolygonMode(Context& c, GLenum face, GLenum mode) {
 
 void CullFace(Context& c, GLenum face) {
   c.gl().CullFace(face);
-  if (track::executes(c) && (face == GL_FRONT || face == GL_BACK || face == GL_FRONT_AND_BACK) &&
-      !c.state().immediate().open()) {
+  if (track::executes(c) && (face == GL_FRONT || face == GL_BACK || face == GL_FRONT_AND_BACK)) {
     c.state().bindings().culling.face = face;
   }
 }
 
 void FrontFace(Context& c, GLenum mode) {
   c.gl().FrontFace(mode);
-  if (track::executes(c) && (mode == GL_CW || mode == GL_CCW) && !c.state().immediate().open()) {
+  if (track::executes(c) && (mode == GL_CW || mode == GL_CCW)) {
     c.state().bindings().culling.front_face = mode;
   }
 }

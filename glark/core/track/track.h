@@ -39,12 +39,12 @@ void carry_change(Context& context, const MaterialChange& change, MaterialSet pa
 // Refined draws replace the fixed-function vertex stage, not a program.
 bool replaces_fixed_function(Context& context);
 
-// Returns false while a display list is compiled and not executed: the call then changes no state. Hooks of calls that
-// change the state of refined draws must ask this.
+// Returns false if the call changes no state: while a display list is compiled and not executed, and between glBegin and
+// glEnd, where GL refuses it. Hooks of calls that change the state of refined draws must ask this.
 inline bool executes(Context& context) {
   ListCompilation& lists = context.state().lists();
   lists.effects().touches_state = true;
-  return !lists.compiling() || lists.executes_too();
+  return (!lists.compiling() || lists.executes_too()) && !context.state().immediate().open();
 }
 
 // GL_CURRENT_DEPTH_TAG_ARK.

@@ -182,7 +182,7 @@ void DeleteLists(Context& c, GLuint first, GLsizei range) {
 
 void ListBase(Context& c, GLuint base) {
   c.gl().ListBase(base);
-  if (track::executes(c) && !c.state().immediate().open()) {
+  if (track::executes(c)) {
     c.state().bindings().list_base = base;
   }
 }

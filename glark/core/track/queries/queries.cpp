@@ -37,12 +37,28 @@ GLuint* triangle_query(Context& c, GLenum target, GLuint index) {
                                                               : nullptr;
 }
 
-void query_begun(Context& c, GLenum target, GLuint index, GLuint id) {
-  if (!counts_primitives(target)) {
+// The active query; 0 if there is none.
+GLuint active_query(Context& c, GLenum target, GLuint index) {
+  GLint id = 0;
+  if (index == 0) {
+    c.gl().GetQueryiv(target, GL_CURRENT_QUERY, &id);
+  } else {
+    c.gl().GetQueryIndexediv(target, index, GL_CURRENT_QUERY, &id);
+  }
+  return static_cast<GLuint>(id);
+}
+
+// Calls `begin`, which begins a query. GL refuses one that is active, or that belongs to another target.
+template <class Begin>
+void begin_query(Context& c, GLenum target, GLuint index, GLuint id, const Begin& begin) {
+  const bool counts = counts_primitives(target) && !c.state().immediate().open();
+  const bool was_active = counts && active_query(c, target, index) != 0;
+  begin();
+  if (!counts || was_active || active_query(c, target, index) != id) {
     return;
   }
   ++c.state().bindings().queries.active;
-  if (GLuint* slot = triangle_query(c, target, index); slot != nullptr && *slot == 0) {
+  if (GLuint* slot = triangle_query(c, target, index); slot != nullptr) {
     *slot = id;
     c.state().query_surplus().forget(id);
   }
@@ -78,8 +94,7 @@ void correct_result(Context& c, GLuint id, GLenum name, Value* result) {
 namespace hook {
 
 void BeginQuery(Context& c, GLenum target, GLuint id) {
-  c.gl().BeginQuery(target, id);
-  query_begun(c, target, 0, id);
+  begin_query(c, target, 0, id, [&] { c.gl().BeginQuery(target, id); });
 }
 
 void EndQuery(Context& c, GLenum target) {
@@ -88,13 +103,24 @@ void EndQuery(Context& c, GLenum target) {
 }
 
 void BeginQueryIndexed(Context& c, GLenum target, GLuint index, GLuint id) {
-  c.gl().BeginQueryIndexed(target, index, id);
-  query_begun(c, target, index, id);
+  begin_query(c, target, index, id, [&] { c.gl().BeginQueryIndexed(target, index, id); });
 }
 
 void EndQueryIndexed(Context& c, GLenum target, GLuint index) {
   c.gl().EndQueryIndexed(target, index);
   query_ended(c, target, index);
+}
+
+// Deleting a query ends it.
+void DeleteQueries(Context& c, GLsizei n, const GLuint* ids) {
+  c.gl().DeleteQueries(n, ids);
+  for (GLsizei i = 0; i < n && ids != nullptr && !c.state().immediate().open(); ++i) {
+    for (const GLenum target : {GL_PRIMITIVES_GENERATED, GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN}) {
+      if (const GLuint* slot = triangle_query(c, target, 0); ids[i] != 0 && *slot == ids[i]) {
+        query_ended(c, target, 0);
+      }
+    }
+  }
 }
 
 void GetQueryObjectiv(Context& c, GLuint id, GLenum name, GLint* result) {

@@ -1,0 +1,232 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// Calls that GL refuses change nothing: neither the next refined draw, nor the state after it. An implementation that
+// follows the application's state must not follow such a call.
+#include <array>
+#include <functional>
+
+#include "conformance/cases/cases.h"
+#include "conformance/cases/repeated/repeated.h"
+#include "conformance/support/counted.h"
+#include "conformance/support/refined_draw.h"
+#include "conformance/support/state.h"
+
+namespace glark::conformance {
+namespace {
+
+constexpr int level = 2;
+constexpr GLuint refined_triangles = 16;
+
+void draw_one() { gl.DrawArrays(GL_TRIANGLES, 0, 3); }
+
+GLuint make_buffer(GLenum target, GLsizeiptr size = 64) {
+  GLuint buffer = 0;
+  gl.GenBuffers(1, &buffer);
+  gl.BindBuffer(target, buffer);
+  gl.BufferData(target, size, nullptr, GL_STATIC_DRAW);
+  return buffer;
+}
+
+// Fixed function. Each corner has another colour, and lies on another side of the plane 0.
+void coloured_triangle() {
+  gl.Begin(GL_TRIANGLES);
+  for (const MeshVertex& vertex : one_triangle()) {
+    gl.Color3f(0.5F + 0.5F * vertex.position[0], 0.5F - 0.5F * vertex.position[1], vertex.colour[2]);
+    gl.Vertex2f(vertex.position[0], vertex.position[1]);
+  }
+  gl.End();
+}
+
+std::array<GLint, 4> values_of(GLenum state) {
+  std::array<GLint, 4> values{};
+  gl.GetIntegerv(state, values.data());
+  return values;
+}
+
+struct RefusedCall {
+  const char* name;
+  std::function<void()> call;
+  GLenum state;  // of up to four integers
+};
+
+std::vector<RefusedCall> calls_between_begin_and_end(GLuint other_buffer) {
+  std::vector<RefusedCall> calls = {
+      {"ShadeModel", [] { gl.ShadeModel(GL_FLAT); }, GL_SHADE_MODEL},
+      {"ProvokingVertex", [] { gl.ProvokingVertex(GL_FIRST_VERTEX_CONVENTION); }, GL_PROVOKING_VERTEX},
+      {"CullFace", [] { gl.CullFace(GL_FRONT); }, GL_CULL_FACE_MODE},
+      {"FrontFace", [] { gl.FrontFace(GL_CW); }, GL_FRONT_FACE},
+      {"PolygonMode", [] { gl.PolygonMode(GL_FRONT_AND_BACK, GL_LINE); }, GL_POLYGON_MODE},
+      {"DepthFunc", [] { gl.DepthFunc(GL_NEVER); }, GL_DEPTH_FUNC},
+      {"DepthMask", [] { gl.DepthMask(GL_FALSE); }, GL_DEPTH_WRITEMASK},
+      {"Viewport", [] { gl.Viewport(0, 0, 3, 3); }, GL_VIEWPORT},
+      {"MatrixMode", [] { gl.MatrixMode(GL_PROJECTION); }, GL_MATRIX_MODE},
+      {"BindVertexArray", [] { gl.BindVertexArray(0); }, GL_VERTEX_ARRAY_BINDING},
+      {"UseProgram", [] { gl.UseProgram(0); }, GL_CURRENT_PROGRAM},
+      {"ListBase", [] { gl.ListBase(7); }, GL_LIST_BASE}};
+  for (const auto& [name, binding] : {std::pair<GLenum, GLenum>{GL_DRAW_INDIRECT_BUFFER, GL_DRAW_INDIRECT_BUFFER_BINDING},
+                                      {GL_SHADER_STORAGE_BUFFER, GL_SHADER_STORAGE_BUFFER_BINDING},
+                                      {GL_TRANSFORM_FEEDBACK_BUFFER, GL_TRANSFORM_FEEDBACK_BUFFER_BINDING}}) {
+    calls.push_back({"BindBuffer", [=, target = name] { gl.BindBuffer(target, other_buffer); }, binding});
+    if (name != GL_DRAW_INDIRECT_BUFFER)
+      calls.push_back({"BindBufferBase", [=, target = name] { gl.BindBufferBase(target, 0, other_buffer); }, binding});
+  }
+  for (const GLenum capability :
+       {GL_CLIP_PLANE0, GL_CLIP_PLANE5, GL_PRIMITIVE_RESTART, GL_PRIMITIVE_RESTART_FIXED_INDEX, GL_RASTERIZER_DISCARD,
+        GL_CULL_FACE, GL_LIGHTING, GL_FOG, GL_COLOR_MATERIAL, GL_BLEND, GL_VERTEX_PROGRAM_TWO_SIDE,
+        GL_PROGRAM_POINT_SIZE, GL_DEBUG_OUTPUT_SYNCHRONOUS})
+    calls.push_back({"Enable", [capability] { gl.Enable(capability); }, capability});
+  return calls;
+}
+
+// Each call lies between Begin and End of a draw of its own, refined or not.
+void check_between(Test& t, bool is_refined) {
+  const GLuint other = make_buffer(GL_COPY_READ_BUFFER);
+  const GLdouble plane[] = {1, 0.3, 0, 0};
+  gl.ClipPlane(GL_CLIP_PLANE0, plane);
+  gl.ClipPlane(GL_CLIP_PLANE5, plane);
+  refine_uniformly(level, GL_LINEAR_OUTPUTS_ARK);
+  const Picture expected = picture_of(coloured_triangle);
+  for (const RefusedCall& refused : calls_between_begin_and_end(other)) {
+    const std::array<GLint, 4> before = values_of(refused.state);
+    is_refined ? gl.Enable(GL_ARK) : gl.Disable(GL_ARK);
+    gl.Begin(GL_TRIANGLES);
+    refused.call();
+    gl.End();
+    gl.Enable(GL_ARK);
+    const std::string what = std::string(refused.name) + " between Begin and End";
+    t.expect_equal(gl.GetError(), GLenum{GL_INVALID_OPERATION}, what);
+    t.expect_same_picture(picture_of(coloured_triangle), expected, "after " + what);
+    t.expect(values_of(refused.state) == before, "the state is unchanged after " + what);
+    t.expect_no_error("the draw after " + what);
+  }
+}
+
+// The control: these calls are allowed elsewhere, and change the picture or the state.
+void control_between(Test& t) {
+  const GLuint other = make_buffer(GL_COPY_READ_BUFFER);
+  for (const RefusedCall& refused : calls_between_begin_and_end(other)) {
+    gl.Begin(GL_TRIANGLES);
+    refused.call();
+    gl.End();
+    t.expect_equal(gl.GetError(), GLenum{GL_INVALID_OPERATION}, refused.name);
+  }
+}
+
+// GL refuses indices beyond its limits, and in core profiles names that it did not give out.
+void check_bindings(Test& t) {
+  gl.UseProgram(colour_program(t));
+  upload(one_triangle());
+  struct Target {
+    GLenum target, binding, limit;  // limit: of the index; 0: no indexed bindings
+  };
+  for (const Target& each :
+       {Target{GL_SHADER_STORAGE_BUFFER, GL_SHADER_STORAGE_BUFFER_BINDING, GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS},
+        {GL_TRANSFORM_FEEDBACK_BUFFER, GL_TRANSFORM_FEEDBACK_BUFFER_BINDING,
+         t.is_gles() ? GLenum{GL_MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS} : GLenum{GL_MAX_TRANSFORM_FEEDBACK_BUFFERS}},
+        {GL_DRAW_INDIRECT_BUFFER, GL_DRAW_INDIRECT_BUFFER_BINDING, 0}}) {
+    const GLuint other = make_buffer(each.target);
+    const GLuint bound = make_buffer(each.target);
+    const auto expect_kept = [&](const std::string& what) {
+      if (gl.GetError() == GL_NO_ERROR) {
+        gl.BindBuffer(each.target, bound);
+        return;  // this GL does not refuse it
+      }
+      draw_one();
+      t.expect_no_error("a draw after " + what);
+      t.expect_equal(integer_of(each.binding), static_cast<GLint>(bound), "the binding after " + what);
+    };
+    refine_by_tags(4);
+    gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_MEASURED_DEPTH_ARK);
+    gl.ARKParameteriARK(GL_EDGE_PIXELS_ARK, 8);
+    gl.BindBuffer(each.target, other + bound + 1000);
+    expect_kept("BindBuffer of an unknown name");
+    if (each.limit == 0) continue;
+    gl.BindBufferBase(each.target, static_cast<GLuint>(integer_of(each.limit)), other);
+    expect_kept("BindBufferBase beyond the limit");
+    gl.BindBufferBase(each.target, 0, other + bound + 1000);
+    expect_kept("BindBufferBase of an unknown name");
+    gl.BindBufferRange(each.target, 0, other, 1, 16);
+    expect_kept("BindBufferRange with an odd offset");
+    gl.BindBufferRange(each.target, static_cast<GLuint>(integer_of(each.limit)), other, 0, 16);
+    expect_kept("BindBufferRange beyond the limit");
+  }
+}
+
+GLuint triangles_of_draw() { return count_generated(draw_one); }
+
+void check_queries(Test& t) {
+  gl.UseProgram(colour_program(t));
+  upload(one_triangle());
+  refine_uniformly(level);
+  GLuint queries[3] = {};
+  gl.GenQueries(3, queries);
+  gl.BeginQuery(GL_ANY_SAMPLES_PASSED, queries[0]);
+  gl.EndQuery(GL_ANY_SAMPLES_PASSED);
+  for (const GLenum target : {GL_PRIMITIVES_GENERATED, GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN}) {
+    gl.BeginQuery(target, queries[0]);
+    t.expect_equal(gl.GetError(), GLenum{GL_INVALID_OPERATION}, "a query of another target");
+    for (int again = 0; again < 3; ++again) t.expect_equal(triangles_of_draw(), refined_triangles, "after a refusal");
+    gl.BeginQuery(target, queries[1]);
+    gl.BeginQuery(target, queries[2]);
+    t.expect_equal(gl.GetError(), GLenum{GL_INVALID_OPERATION}, "a second query");
+    draw_one();
+    gl.EndQuery(target);
+    GLuint count = 0;
+    gl.GetQueryObjectuiv(queries[1], GL_QUERY_RESULT, &count);
+    if (target == GL_PRIMITIVES_GENERATED) t.expect_equal(count, refined_triangles, "the first query");
+    for (int again = 0; again < 3; ++again) t.expect_equal(triangles_of_draw(), refined_triangles, "after two begins");
+    GLuint deleted = 0;
+    gl.GenQueries(1, &deleted);
+    gl.BeginQuery(target, deleted);
+    gl.DeleteQueries(1, &deleted);
+    if (gl.GetError() != GL_NO_ERROR) gl.EndQuery(target);
+    for (int again = 0; again < 3; ++again)
+      t.expect_equal(triangles_of_draw(), refined_triangles, "after an active query was deleted");
+  }
+}
+
+// GL clamps the size.
+void check_viewport(Test& t) {
+  gl.UseProgram(colour_program(t));
+  upload(one_triangle());
+  GLint most[2] = {};
+  gl.GetIntegerv(GL_MAX_VIEWPORT_DIMS, most);
+  refine_by_tags(6);
+  gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_MEASURED_DEPTH_ARK);
+  gl.ARKParameteriARK(GL_EDGE_PIXELS_ARK, most[0] / 4);
+  gl.Viewport(0, 0, most[0], most[1]);
+  const GLuint expected = triangles_of_draw();
+  t.expect(expected > 1, "the triangle is refined");
+  gl.Viewport(0, 0, 4 * most[0], 4 * most[1]);
+  t.expect_equal(triangles_of_draw(), expected, "triangles in a viewport beyond the limits");
+  gl.Viewport(0, 0, most[0] / 16, most[1] / 16);
+  t.expect(triangles_of_draw() < expected, "a smaller viewport needs fewer triangles");
+}
+
+constexpr Area refused_case{"ark.refused."};
+
+}  // namespace
+
+Cases refused_calls_cases() {
+  Cases cases = {
+      refused_case("bindings", {"10.R.2-6", "10.R.2-13"},
+                   "Bind buffers with indices, offsets and names that GL refuses, draw, and read the binding.",
+                   "The refused binding is there after the draw, or the draw raises an error.", check_bindings),
+      refused_case("queries", {"chapter-14-8", "chapter-14-9"},
+                   "Begin queries that GL refuses, and delete an active one. Then count the triangles of draws.",
+                   "Later queries count what the implementation captures.", check_queries),
+      refused_case("viewport", {"11.R.4-4"}, "A viewport of four times the size that GL has, with depths by pixels.",
+                   "The size before GL clamps it.", check_viewport)};
+  for (const bool is_refined : {true, false})
+    cases.push_back({.name = std::string("ark.refused.between.") + (is_refined ? "refined" : "unrefined"),
+                     .clauses = {"10.R.2-6", "10.R.2-13"},
+                     .plan = "Change states between Begin and End, where GL refuses it. Draw, and read the states.",
+                     .wrong = "The draw has the refused state, or sets it.",
+                     .apis = compat_only,
+                     .control = control_between,
+                     .check = [is_refined](Test& t) { check_between(t, is_refined); }});
+  return cases;
+}
+
+}  // namespace glark::conformance
