@@ -223,9 +223,10 @@ void check_feedback_instances(Test& t) {
 // The bound pipeline gets another program for a stage. All programs are separable, and have the same interface.
 void check_pipeline_stages(Test& t, bool is_uniform) {
   const auto vertex_stage = [](const char* position) {
-    return std::string("layout(location = 0) in vec4 position; layout(location = 3) in vec4 vertex_colour;\n"
-                       "layout(location = 0) out vec4 colour;\n"
-                       "void main() { colour = vertex_colour; gl_Position = ") +
+    return std::string(
+               "layout(location = 0) in vec4 position; layout(location = 3) in vec4 vertex_colour;\n"
+               "layout(location = 0) out vec4 colour;\n"
+               "void main() { colour = vertex_colour; gl_Position = ") +
            position + "; }\n";
   };
   const auto fragment_stage = [](const char* value) {

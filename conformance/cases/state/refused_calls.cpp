@@ -64,9 +64,10 @@ std::vector<RefusedCall> calls_between_begin_and_end(GLuint other_buffer) {
       {"BindVertexArray", [] { gl.BindVertexArray(0); }, GL_VERTEX_ARRAY_BINDING},
       {"UseProgram", [] { gl.UseProgram(0); }, GL_CURRENT_PROGRAM},
       {"ListBase", [] { gl.ListBase(7); }, GL_LIST_BASE}};
-  for (const auto& [name, binding] : {std::pair<GLenum, GLenum>{GL_DRAW_INDIRECT_BUFFER, GL_DRAW_INDIRECT_BUFFER_BINDING},
-                                      {GL_SHADER_STORAGE_BUFFER, GL_SHADER_STORAGE_BUFFER_BINDING},
-                                      {GL_TRANSFORM_FEEDBACK_BUFFER, GL_TRANSFORM_FEEDBACK_BUFFER_BINDING}}) {
+  for (const auto& [name, binding] :
+       {std::pair<GLenum, GLenum>{GL_DRAW_INDIRECT_BUFFER, GL_DRAW_INDIRECT_BUFFER_BINDING},
+        {GL_SHADER_STORAGE_BUFFER, GL_SHADER_STORAGE_BUFFER_BINDING},
+        {GL_TRANSFORM_FEEDBACK_BUFFER, GL_TRANSFORM_FEEDBACK_BUFFER_BINDING}}) {
     calls.push_back({"BindBuffer", [=, target = name] { gl.BindBuffer(target, other_buffer); }, binding});
     if (name != GL_DRAW_INDIRECT_BUFFER)
       calls.push_back({"BindBufferBase", [=, target = name] { gl.BindBufferBase(target, 0, other_buffer); }, binding});

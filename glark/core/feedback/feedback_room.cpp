@@ -23,8 +23,8 @@ std::vector<std::uint64_t> strides_of_buffers(const gl::Dispatch& gl, GLuint pro
   for (GLint i = 0; i < count; ++i) {
     constexpr std::array<GLenum, 2> properties{GL_BUFFER_BINDING, GL_TRANSFORM_FEEDBACK_BUFFER_STRIDE};
     std::array<GLint, 2> found{};  // the binding, and bytes
-    gl.GetProgramResourceiv(program, GL_TRANSFORM_FEEDBACK_BUFFER, static_cast<GLuint>(i), 2, properties.data(), 2, nullptr,
-                            found.data());
+    gl.GetProgramResourceiv(program, GL_TRANSFORM_FEEDBACK_BUFFER, static_cast<GLuint>(i), 2, properties.data(), 2,
+                            nullptr, found.data());
     const auto binding = static_cast<std::size_t>(std::clamp(found[0], 0, most_buffers - 1));
     strides.resize(std::max(strides.size(), binding + 1));
     strides[binding] = static_cast<std::uint64_t>(std::max(found[1], 0));

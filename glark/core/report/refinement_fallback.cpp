@@ -18,7 +18,8 @@ constexpr std::array<FallbackText, refinement_fallback_count> fallback_texts{{
      "name the position and the normal with --position and --normal"},
     {"no_normal", "no attribute is known to be the position or the normal, so the triangles stay flat",
      "name them with --position and --normal"},
-    {"flat_shading", "glShadeModel(GL_FLAT) shows each triangle in one colour, and its normals may be those of triangles",
+    {"flat_shading",
+     "glShadeModel(GL_FLAT) shows each triangle in one colour, and its normals may be those of triangles",
      "--refine pn curves it"},
 }};
 

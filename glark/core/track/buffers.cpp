@@ -28,8 +28,7 @@ bool has_accepted_index(Context& c, GLenum target, GLuint index) {
     case GL_TRANSFORM_FEEDBACK_BUFFER: {
       const bool es = c.capabilities().api == Capabilities::Api::es;
       const GLenum limit = es ? GL_MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS : GL_MAX_TRANSFORM_FEEDBACK_BUFFERS;
-      return !c.state().bindings().transform_feedback.active &&
-             index < static_cast<GLuint>(get_integer(c.gl(), limit));
+      return !c.state().bindings().transform_feedback.active && index < static_cast<GLuint>(get_integer(c.gl(), limit));
     }
     default: return true;
   }

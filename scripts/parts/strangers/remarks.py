@@ -11,6 +11,16 @@ FINE = "fine already; hardly visible changes"
 POLYGONS = "flat shaded on purpose; stays so"
 
 REMARKS = {
+    **{name: SAME for name in ("blinkbox", "blocktube", "boxed", "bubble3d", "cage", "circuit", "cityflow", "cubestack", "cubestorm", "cubetwist",
+                               "deepstars", "flipflop", "flyingtoasters", "glblur", "hexstrut", "hextrail", "hypnowheel", "klein",
+                               "lockward", "nakagin", "noof", "polytopes", "quasicrystal", "razzledazzle", "rubikblocks", "sproingies",
+                               "tangram", "timetunnel", "unicrud", "voronoi", "Qt 3D shadow-map-qml", "GTK 4 gears")},
+    **{name: LINES for name in ("cubicgrid", "gibson", "gravitywell", "projectiveplane", "starwars", "surfaces", "unknownpleasures")},
+    "antmaze": "ants are rounder", "atunnel": "quads that leave the view: outputs is cut along the other diagonal",
+    "crackberg": POLYGONS, "extrusion": "light on big twisted quads shows fully", "geodesic": ROUNDER, "glcells": ROUNDER,
+    "hilbert": "tubes are rounder; their highlights show fully", "morph3d": FINE, "providence": SAME, "spheremonics": "the ball is round",
+    "sonar": "bent rings whose normals lean; stay so", "Qt 3D basicshapes-cpp": "highlights are smaller and brighter",
+    "covid19": ROUNDER, "discoball": SAME, "vispy": "the ball and its highlight are round",
     "dymaxionmap": "a map of single triangles, " + SAME, "etruscanvenus": LINES, "kaleidocycle": POLYGONS, "moebius": "ants are rounder",
     "splitflap": SAME, "stairs": "the ball is round", "stonerview": "single squares, " + SAME, "OSG viewer": "the ball is round",
     "pipewalker": FLAT,
@@ -53,7 +63,7 @@ REMARKS = {
     "glschool": "fish are rounder", "glsnake": SAME, "moebiusgears": SAME, "splodesic": SAME, "topblock": ROUNDER,
     "winduprobot": ROUNDER, "rubik": SAME, "companioncube": ROUNDER, "skytentacles": "arms are rounder, with a thin highlight that counts as strays",
     "hydrostat": ROUNDER,
-    "geodesicgears": SAME, "glhanoi": ROUNDER, "queens": ROUNDER, "sphereeversion": FINE, "vigilance": ROUNDER,
+    "geodesicgears": "a highlight in a hole shows fully", "glhanoi": ROUNDER, "queens": ROUNDER, "sphereeversion": FINE, "vigilance": ROUNDER,
     "torus-trooper": LINES, "tumiki-fighters": SAME, "gunroar": SAME, "titanion": SAME,
     "mu-cade": SAME, "parsec47": LINES, "rrootage": LINES,
     "a7xpg": LINES, "val-and-rick": SAME, "ii-esu": LINES, "projectl": SAME,

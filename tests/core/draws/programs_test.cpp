@@ -200,10 +200,10 @@ TEST_P(DrawsPrograms, UniformBlocks) {
 
 TEST_P(DrawsPrograms, BlocksWithLongNames) {
   const std::string look(300, 'l'), data(600, 'd');
-  const GLuint program = use("layout(std140) uniform " + look +
-                                 " { vec4 tint; }; layout(std430, binding = 3) readonly buffer " + data +
-                                 " { float data[]; }; out vec3 c;\n",
-                             "c = c * tint.rgb * data[2];\n");
+  const GLuint program =
+      use("layout(std140) uniform " + look + " { vec4 tint; }; layout(std430, binding = 3) readonly buffer " + data +
+              " { float data[]; }; out vec3 c;\n",
+          "c = c * tint.rgb * data[2];\n");
   const auto make_block = [](GLenum target, GLuint binding, const std::vector<GLfloat>& values) {
     glBindBufferBase(target, binding, make_buffer(target, values));
   };
