@@ -95,7 +95,7 @@ class Reports(Folder):
         self.judge()
         report = self.folder / "report"
         suite = xml.etree.ElementTree.parse(report / "junit.xml").getroot()[0]
-        self.assertEqual((18, 4, 8), tuple(int(suite.get(key)) for key in ("tests", "failures", "errors")))
+        self.assertEqual((19, 5, 8), tuple(int(suite.get(key)) for key in ("tests", "failures", "errors")))
         html = (report / "index.html").read_text()
         self.assertIn("Every vertex has a depth tag, an integer.", html)
         self.assertIn("a &lt;picture&gt; &amp; more", html)

@@ -217,7 +217,7 @@ Cases screen_error_cases() {
                             "Only the refinement's own curve is measured.", check_stage),
           screen_error_case("least", {"11.R.4-18"}, "With pixels too, an edge has the lesser depth.",
                             "The greater depth.", check_least),
-          screen_error_case("culling", {"11.R.4-25"}, "Repeat a draw often, cull the other side, and repeat it.",
+          screen_error_case("culling", {"11.R.4-19"}, "Repeat a draw often, cull the other side, and repeat it.",
                             "Depths of a culled triangle are used when it shows again.", check_culling),
           screen_error_case("refused", {"11.R.2-37", "11.R.2-39", "errors-25"},
                             "Numbers and integers out of the range.", "Negative numbers are accepted.", check_refused)};
