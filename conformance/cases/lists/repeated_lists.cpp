@@ -225,6 +225,8 @@ void check_stack(Test& t, bool is_compiled_late) {
 // GL stops at some depth of nesting, which may be any from 64 on.
 void check_recursion(Test& t, bool by_base) {
   const GLubyte names[] = {2};
+  refine();
+  gl.Disable(GL_ARK);
   compile_as(12, [&] {
     triangle();
     by_base ? gl.CallLists(1, GL_UNSIGNED_BYTE, names) : gl.CallList(12);
@@ -233,11 +235,14 @@ void check_recursion(Test& t, bool by_base) {
   const auto draw = [] { gl.CallList(12); };
   const GLuint plain = count_generated(draw);
   t.require(plain >= 1 && plain < 100000, "GL draws nested lists to some depth");
-  refine();
+  gl.Enable(GL_ARK);
   for (const GLint tag : {1, 2}) {
     gl.DepthTag1i(tag);
-    for (int again = 0; again < calls; ++again)
-      t.expect_equal(count_generated(draw), plain << (2 * tag), "triangles of nested lists");
+    for (int again = 0; again < calls; ++again) {
+      const GLuint refined = count_generated(draw);
+      const GLuint lists = refined >> (2 * tag);  // one more or less may be nested
+      t.expect(refined == lists << (2 * tag) && lists + 1 >= plain && lists <= plain + 1, "triangles of nested lists");
+    }
   }
   t.expect_no_error("the calls");
 }

@@ -278,7 +278,7 @@ Cases vertex_stage_inputs_cases() {
                        .is_optional = resource.bind == bind_storage,
                        .check = [&resource, refinement](Test& t) { check_resource(t, resource, refinement); }});
   const auto add = [&](const char* leaf, std::vector<std::string> clauses, const char* plan, const char* wrong,
-                       void (*check)(Test&),
+                       const std::function<void(Test&)>& check,
                        Apis apis) { cases.push_back(stage_case(leaf, std::move(clauses), plan, wrong, check, apis)); };
   add("reads.changed_uniform", {"11.R.10-1"}, "Change a uniform between draws.", "The value of the first draw.",
       check_changed_uniform, every_api);
