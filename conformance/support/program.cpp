@@ -77,9 +77,10 @@ GLuint separable_program(const Test& t, GLenum stage, const std::string& source)
 Pipeline bind_pipeline(Test& t, const std::string& vertex, const std::string& fragment) {
   Pipeline pipeline;
   pipeline.vertex_program = separable_program(t, GL_VERTEX_SHADER, vertex);
+  pipeline.fragment_program = separable_program(t, GL_FRAGMENT_SHADER, fragment);
   gl.GenProgramPipelines(1, &pipeline.name);
   gl.UseProgramStages(pipeline.name, GL_VERTEX_SHADER_BIT, pipeline.vertex_program);
-  gl.UseProgramStages(pipeline.name, GL_FRAGMENT_SHADER_BIT, separable_program(t, GL_FRAGMENT_SHADER, fragment));
+  gl.UseProgramStages(pipeline.name, GL_FRAGMENT_SHADER_BIT, pipeline.fragment_program);
   gl.BindProgramPipeline(pipeline.name);
   return pipeline;
 }

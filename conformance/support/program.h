@@ -41,6 +41,7 @@ GLuint try_program(const Sources& sources, std::string& log);
 struct Pipeline {
   GLuint name = 0;
   GLuint vertex_program = 0;
+  GLuint fragment_program = 0;
 };
 Pipeline bind_pipeline(Test& t, const std::string& vertex, const std::string& fragment);
 // One of these programs, for another stage of the pipeline. stage: GL_VERTEX_SHADER or GL_FRAGMENT_SHADER.

@@ -134,6 +134,30 @@ void check_indexed_viewports(Test& t) {
   t.expect_no_error("the draws");
 }
 
+// An implementation may measure few triangles and many of them in different ways.
+void check_many(Test& t) {
+  gl.UseProgram(measured_program(t, "position"));
+  const Mesh one = triangle_in_pixels(right_angle);
+  Mesh mesh;
+  for (int i = 0; i < 600; ++i) mesh.insert(mesh.end(), one.begin(), one.end());
+  upload(mesh);
+  measure_by(7, 0);
+  constexpr double whole = surface_size;
+  for (const auto& [width, height] : {std::pair<GLsizei, GLsizei>{128, 128}, {64, 8}, {8, 64}, {128, 32}}) {
+    gl.Viewport(0, 0, width, height);
+    const auto length = [w = width / whole, h = height / whole](double x, double y) {
+      return depth_of(std::hypot(w * x, h * y), 7);
+    };
+    const std::int64_t each = reference::minimum_triangles({length(60, 0), length(0, 80), length(60, 80)});
+    for (const GLsizei copies : {1, 2, 63, 64, 65, 127, 128, 129, 256, 257, 600}) {
+      const GLuint count = count_generated([&] { gl.DrawArrays(GL_TRIANGLES, 0, 3 * copies); });
+      t.expect_equal(std::int64_t{count}, each * copies,
+                     fmt::format("triangles of {} copies in a viewport of {} x {}", copies, width, height));
+    }
+  }
+  t.expect_no_error("the draws");
+}
+
 Vec3 turned(double degrees) {
   const double angle = degrees * std::acos(-1.0) / 180;
   return {static_cast<float>(2 * std::sin(angle)), 0, static_cast<float>(2 * std::cos(angle))};  // not of unit length
@@ -283,6 +307,9 @@ Cases edge_depths_cases() {
                             "The length of the input positions; no division by w.", check_ends),
                  depth_case("measured.viewport", {"11.R.4-5"}, "The same triangle in smaller viewports.",
                             "The size of the surface, or of the previous viewport.", check_viewport),
+                 depth_case("measured.many", {"11.R.4-5", "11.R.4-18"},
+                            "1 to 600 copies of the same triangle in viewports of several shapes, in one draw.",
+                            "Few triangles and many of them have different depths.", check_many),
                  depth_case("measured.degrees", {"11.R.4-8", "11.R.4-9"},
                             "Normals 20, 50 and 70 degrees apart, not of unit length.",
                             "The angle at other corners; normals that are not normalized.", check_degrees),

@@ -169,11 +169,12 @@ void check_least(Test& t) {
   t.expect_equal(int{depths[0]}, 1, "the depth of an edge of 100 pixels");
 }
 
-// Edges of triangles that are culled need no depth. When the other side is culled, what shows again has its depths, also
-// after many repetitions.
-void check_culling(Test& t) {
+// Edges of triangles that are culled need no depth. When the other side is culled, what shows again has its depths,
+// also after many repetitions.
+void check_culling(Test& t, bool is_welded) {
   gl.UseProgram(program(t, "position"));
   measure_error(0.3F);
+  gl.ARKParameteriARK(GL_WELD_ARK, is_welded ? GL_TRUE : GL_FALSE);
   upload(mesh_of(bent));
   const auto draw = [] { gl.DrawArrays(GL_TRIANGLES, 0, 3); };
   const GLuint all = count_generated(draw);
@@ -218,7 +219,11 @@ Cases screen_error_cases() {
           screen_error_case("least", {"11.R.4-18"}, "With pixels too, an edge has the lesser depth.",
                             "The greater depth.", check_least),
           screen_error_case("culling", {"11.R.4-19"}, "Repeat a draw often, cull the other side, and repeat it.",
-                            "Depths of a culled triangle are used when it shows again.", check_culling),
+                            "Depths of a culled triangle are used when it shows again.",
+                            [](Test& t) { check_culling(t, false); }),
+          screen_error_case("culling_welded", {"11.R.4-19"}, "The same with WELD_ARK.",
+                            "Depths of a culled triangle are used when it shows again.",
+                            [](Test& t) { check_culling(t, true); }),
           screen_error_case("refused", {"11.R.2-37", "11.R.2-39", "errors-25"},
                             "Numbers and integers out of the range.", "Negative numbers are accepted.", check_refused)};
 }

@@ -160,29 +160,48 @@ void check_bindings(Test& t) {
   t.expect_no_error("the draws");
 }
 
-// A compute shader reads an indexed binding with an offset between refined draws.
-void check_storage_range(Test& t) {
+struct IndexedTarget {
+  const char* leaf;
+  GLenum target;
+  GLenum start;
+  GLenum size;
+  GLenum alignment;  // the query for it; 0: 4 bytes
+};
+constexpr IndexedTarget indexed_targets[] = {
+    {"storage_ranges", GL_SHADER_STORAGE_BUFFER, GL_SHADER_STORAGE_BUFFER_START, GL_SHADER_STORAGE_BUFFER_SIZE,
+     GL_SHADER_STORAGE_BUFFER_OFFSET_ALIGNMENT},
+    {"uniform_ranges", GL_UNIFORM_BUFFER, GL_UNIFORM_BUFFER_START, GL_UNIFORM_BUFFER_SIZE,
+     GL_UNIFORM_BUFFER_OFFSET_ALIGNMENT},
+    {"feedback_ranges", GL_TRANSFORM_FEEDBACK_BUFFER, GL_TRANSFORM_FEEDBACK_BUFFER_START,
+     GL_TRANSFORM_FEEDBACK_BUFFER_SIZE, 0}};
+
+// The application reads an indexed binding with an offset between refined draws. Some ranges begin where the buffer
+// begins, but do not end where it ends.
+void check_ranges(Test& t, const IndexedTarget& indexed) {
   set_up(t);
-  GLint alignment = 256;
-  gl.GetIntegerv(GL_SHADER_STORAGE_BUFFER_OFFSET_ALIGNMENT, &alignment);
+  GLint alignment = 4;
+  if (indexed.alignment != 0) gl.GetIntegerv(indexed.alignment, &alignment);
   GLuint buffer = 0;
   gl.GenBuffers(1, &buffer);
-  gl.BindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
-  gl.BufferData(GL_SHADER_STORAGE_BUFFER, 4 * alignment, nullptr, GL_STATIC_DRAW);
-  for (GLuint index = 0; index < 4; ++index)
-    gl.BindBufferRange(GL_SHADER_STORAGE_BUFFER, index, buffer, alignment * (index % 2 + 1), alignment);
-  for (const GLenum source : {GL_UNIFORM_DEPTH_ARK, GL_DEPTH_TAG_ARK, GL_MEASURED_DEPTH_ARK}) {
-    refine_uniformly(2);
-    upload(four_triangles());
-    gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, static_cast<GLint>(source));
-    for (int again = 0; again < 2; ++again) gl.DrawArrays(GL_TRIANGLES, 0, all_vertices);
-    for (GLuint index = 0; index < 4; ++index) {
-      GLint64 start = 0;
-      GLint64 size = 0;
-      gl.GetInteger64i_v(GL_SHADER_STORAGE_BUFFER_START, index, &start);
-      gl.GetInteger64i_v(GL_SHADER_STORAGE_BUFFER_SIZE, index, &size);
-      t.expect_equal(start, GLint64{alignment} * (index % 2 + 1), "the offset of binding " + as_text(index));
-      t.expect_equal(size, GLint64{alignment}, "the size of binding " + as_text(index));
+  gl.BindBuffer(indexed.target, buffer);
+  gl.BufferData(indexed.target, 4 * alignment, nullptr, GL_STATIC_DRAW);
+  for (const GLuint turn : {0U, 1U, 2U}) {
+    const auto offset = [=](GLuint index) { return GLint64{alignment} * ((index + turn) % 3); };
+    for (GLuint index = 0; index < 4; ++index)
+      gl.BindBufferRange(indexed.target, index, buffer, offset(index), alignment);
+    for (const GLenum source : {GL_UNIFORM_DEPTH_ARK, GL_DEPTH_TAG_ARK, GL_MEASURED_DEPTH_ARK}) {
+      refine_uniformly(2);
+      upload(four_triangles());
+      gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, static_cast<GLint>(source));
+      for (int again = 0; again < 2; ++again) gl.DrawArrays(GL_TRIANGLES, 0, all_vertices);
+      for (GLuint index = 0; index < 4; ++index) {
+        GLint64 start = 0;
+        GLint64 size = 0;
+        gl.GetInteger64i_v(indexed.start, index, &start);
+        gl.GetInteger64i_v(indexed.size, index, &size);
+        t.expect_equal(start, offset(index), "the offset of binding " + as_text(index));
+        t.expect_equal(size, GLint64{alignment}, "the size of binding " + as_text(index));
+      }
     }
   }
   t.expect_no_error("the draws");
@@ -318,12 +337,13 @@ Cases indirect_draws_cases() {
        .plan = "Bind a buffer to each target that concerns counts, draw, and ask for the bindings.",
        .wrong = "Bindings of the implementation's own passes remain.",
        .apis = desktop_apis,
-       .check = check_bindings},
-      {.name = "ark.draw.keeps.storage_ranges",
-       .clauses = {"11.R.10-1"},
-       .plan = "Bind ranges of a storage buffer, draw, and ask for their offsets and sizes.",
-       .wrong = "The whole buffer is bound after a refined draw.",
-       .check = check_storage_range}};
+       .check = check_bindings}};
+  for (const IndexedTarget& indexed : indexed_targets)
+    cases.push_back({.name = std::string("ark.draw.keeps.") + indexed.leaf,
+                     .clauses = {"10.R.2-6", "11.R.10-1"},
+                     .plan = "Bind ranges of a buffer, draw, and ask for their offsets and sizes.",
+                     .wrong = "The whole buffer is bound after a refined draw.",
+                     .check = [&indexed](Test& t) { check_ranges(t, indexed); }});
   for (const Counting& counting : countings())
     for (const bool is_discarded : {false, true})
       cases.push_back(

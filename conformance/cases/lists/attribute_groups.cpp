@@ -3,6 +3,7 @@
 //
 // Attribute groups of PushAttrib and PushClientAttrib (chapter 22).
 #include <fmt/core.h>
+#include <cstddef>
 
 #include "conformance/cases/cases.h"
 #include "conformance/cases/lists/immediate_triangle.h"
@@ -144,6 +145,57 @@ void check_client_group_draws(Test& t) {
   t.expect_equal(triangles_of(t, draw), 4U, "triangles after the array was enabled in between");
 }
 
+// Gives one array of positions, and perhaps one of colours and one of tags, to the vertex array object 0.
+void point_at(const Mesh& mesh, GLuint buffer, bool has_others) {
+  const auto place = [](std::size_t offset) { return reinterpret_cast<const void*>(offset); };
+  gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
+  gl.BufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(mesh.size() * sizeof(MeshVertex)), mesh.data(),
+                GL_STATIC_DRAW);
+  gl.VertexPointer(4, GL_FLOAT, sizeof(MeshVertex), place(offsetof(MeshVertex, position)));
+  gl.EnableClientState(GL_VERTEX_ARRAY);
+  if (!has_others) return;
+  gl.ColorPointer(4, GL_FLOAT, sizeof(MeshVertex), place(offsetof(MeshVertex, colour)));
+  gl.EnableClientState(GL_COLOR_ARRAY);
+  gl.DepthTagPointerARK(GL_FLOAT, sizeof(MeshVertex), place(offsetof(MeshVertex, tag)));
+  gl.Enable(GL_DEPTH_TAG_ARRAY_ARK);
+}
+
+// Draws with arrays, then with default ones but for positions, and then perhaps with the first arrays again.
+void check_client_default(Test& t, bool is_pushed) {
+  if (!t.has_extension("GL_EXT_direct_state_access")) t.not_supported("no ClientAttribDefaultEXT");
+  refine_by_tags(3);
+  GLuint buffer = 0;
+  gl.GenBuffers(1, &buffer);
+  const Mesh mesh = one_triangle({2, 2, 2});
+  const auto draw = [] { gl.DrawArrays(GL_TRIANGLES, 0, 3); };
+  const auto expect_drawn = [&](GLuint triangles, const std::string& what) {
+    gl.Disable(GL_ARK);
+    const Picture plain = picture_of(draw);
+    gl.Enable(GL_ARK);
+    for (int again = 0; again < 6; ++again) t.expect_same_picture(picture_of(draw), plain, what, 3, 40);
+    t.expect_equal(count_generated(draw), triangles, "triangles " + what);
+  };
+  point_at(mesh, buffer, true);
+  gl.DepthTag1i(1);
+  expect_drawn(16, "with all arrays");
+  if (is_pushed)
+    gl.PushClientAttribDefaultEXT(GL_CLIENT_VERTEX_ARRAY_BIT);
+  else
+    gl.ClientAttribDefaultEXT(GL_CLIENT_VERTEX_ARRAY_BIT);
+  t.expect_equal(int{gl.IsEnabled(GL_DEPTH_TAG_ARRAY_ARK)}, int{GL_FALSE}, "DEPTH_TAG_ARRAY_ARK, by default");
+  t.expect_equal(integer_of(GL_ARRAY_BUFFER_BINDING), 0, "ARRAY_BUFFER_BINDING, by default");
+  point_at(mesh, buffer, false);
+  for (const GLfloat red : {0.0F, 0.5F, 1.0F}) {
+    gl.Color3f(red, 1 - red, 0.25F);
+    expect_drawn(4, "with default arrays and the current red " + as_text(red));
+  }
+  gl.DepthTag1i(3);
+  expect_drawn(64, "with default arrays and another current tag");
+  if (!is_pushed) return;
+  gl.PopClientAttrib();
+  expect_drawn(16, "with all arrays again");
+}
+
 void check_no_group(Test& t) {
   gl.PushAttrib(GL_ALL_ATTRIB_BITS);
   gl.PushClientAttrib(static_cast<GLbitfield>(GL_CLIENT_ALL_ATTRIB_BITS));
@@ -182,6 +234,11 @@ Cases attribute_groups_cases() {
                  "Draw with the array before PushClientAttrib, with another array or none in between, and after "
                  "PopClientAttrib.",
                  "The state is right, but draws are not.", check_client_group_draws),
+      optional(uncontrolled("client_default", {"chapter-22-3"}, "Draw with arrays, and after ClientAttribDefaultEXT.",
+                            "Draws have the earlier arrays.", [](Test& t) { check_client_default(t, false); })),
+      optional(uncontrolled("client_push_default", {"chapter-22-3"},
+                            "Draw with arrays, after PushClientAttribDefaultEXT, and after PopClientAttrib.",
+                            "Draws have the earlier arrays.", [](Test& t) { check_client_default(t, true); })),
       uncontrolled("none", {"chapter-22-4"}, "Push all groups, set every parameter, and pop.",
                    "Parameters are restored.", check_no_group),
       uncontrolled("overflow", {"chapter-22-1"},

@@ -6,14 +6,12 @@
 #include <cstring>
 
 #include "conformance/cases/cases.h"
-#include "conformance/cases/repeated/repeated.h"
+#include "conformance/cases/repeated/expect_change.h"
 #include "conformance/support/counted.h"
 #include "conformance/support/refined_draw.h"
 
 namespace glark::conformance {
 namespace {
-
-using Draw = std::function<void()>;
 
 constexpr GLsizei vertices = 6;
 constexpr int repeats = 4;
@@ -29,28 +27,6 @@ Mesh two_triangles() {
 }
 
 void draw_all() { gl.DrawArrays(GL_TRIANGLES, 0, vertices); }
-
-// Compares several refined draws with the unrefined one, and returns the latter.
-Picture expect_as_unrefined(Test& t, const Draw& draw, const std::string& what) {
-  std::vector<Picture> refined;
-  refined.push_back(picture_of(draw));
-  repeat_often(draw);
-  for (int again = 1; again < repeats; ++again) refined.push_back(picture_of(draw));
-  gl.Disable(GL_ARK);
-  Picture plain = picture_of(draw);
-  gl.Enable(GL_ARK);
-  t.expect(count_different(plain, Picture(surface_size, surface_size), 8) > 300, "something is drawn, " + what);
-  for (const Picture& picture : refined) t.expect_same_picture(picture, plain, what, 4, 80);
-  return plain;
-}
-
-void expect_change(Test& t, const Draw& draw, const Draw& change, const std::string& what) {
-  const Picture before = expect_as_unrefined(t, draw, "before " + what);
-  change();
-  const Picture after = expect_as_unrefined(t, draw, "after " + what);
-  t.expect(count_different(before, after, 8) > 300, what + " shows");
-  t.expect_no_error(what);
-}
 
 void refine(bool is_uniform, GLenum refinement = GL_LINEAR_INPUTS_ARK) {
   is_uniform ? refine_uniformly(2, refinement) : refine_by_tags(3, refinement);
@@ -246,6 +222,60 @@ void check_pipeline_stages(Test& t, bool is_uniform) {
   expect_change(t, draw_all, use(GL_VERTEX_SHADER_BIT, pipeline.vertex_program), "the first vertex stage");
 }
 
+// Uniform commands set a uniform of the pipeline's active program.
+void check_pipeline_uniforms(Test& t, bool is_uniform) {
+  const Pipeline pipeline =
+      bind_pipeline(t,
+                    "layout(location = 0) in vec4 position; layout(location = 3) in vec4 vertex_colour;\n"
+                    "uniform float shift; layout(location = 0) out vec4 colour;\n"
+                    "void main() { colour = vertex_colour; gl_Position = position + vec4(shift, 0.0, 0.0, 0.0); }\n",
+                    "layout(location = 0) in vec4 colour; uniform float tone; out vec4 pixel;\n"
+                    "void main() { pixel = vec4(colour.xy, tone, 1.0); }\n");
+  const GLuint vertex = pipeline.vertex_program;
+  const GLuint fragment = pipeline.fragment_program;
+  const GLint shift = gl.GetUniformLocation(vertex, "shift");
+  const GLint tone = gl.GetUniformLocation(fragment, "tone");
+  gl.UseProgram(0);
+  upload(two_triangles());
+  refine(is_uniform);
+  const auto activate = [&](GLuint program) { gl.ActiveShaderProgram(pipeline.name, program); };
+  const std::pair<const char*, Draw> changes[] = {
+      {"a uniform of the fragment stage", [&] { gl.Uniform1f(tone, 0.3F); }},
+      {"a uniform of the vertex stage",
+       [&] {
+         activate(vertex);
+         gl.Uniform1f(shift, 0.25F);
+       }},
+      {"the uniform of the vertex stage again", [&] { gl.Uniform1f(shift, -0.2F); }},
+      {"ProgramUniform1f of the fragment stage", [&] { gl.ProgramUniform1f(fragment, tone, 1); }},
+      {"ProgramUniform1f of the vertex stage", [&] { gl.ProgramUniform1f(vertex, shift, 0.1F); }},
+      {"a uniform of the fragment stage again",
+       [&] {
+         activate(fragment);
+         gl.Uniform1f(tone, 0.6F);
+       }},
+      {"a uniform of the vertex stage, activated while no pipeline is bound",
+       [&] {
+         gl.BindProgramPipeline(0);
+         activate(vertex);
+         gl.BindProgramPipeline(pipeline.name);
+         gl.Uniform1f(shift, -0.3F);
+       }},
+  };
+  activate(fragment);
+  const GLuint count = count_generated(draw_all);
+  t.expect(count > 2, "the draws are refined");
+  for (const auto& [what, change] : changes) {
+    change();
+    const Picture refined = picture_of(draw_all);
+    gl.Disable(GL_ARK);
+    t.expect_same_picture(refined, picture_of(draw_all), std::string("after ") + what, 4, 80);
+    gl.Enable(GL_ARK);
+  }
+  for (const auto& [what, change] : changes) expect_change(t, draw_all, change, what);
+  t.expect_equal(count_generated(draw_all), count, "triangles at last");
+}
+
 constexpr Area again_case{"ark.draw.again."};
 
 }  // namespace
@@ -262,6 +292,11 @@ Cases changed_bindings_cases() {
                                "Repeat a draw of a program pipeline, give the pipeline another vertex or fragment "
                                "stage by UseProgramStages, and repeat it.",
                                "The earlier stage.", [is_uniform](Test& t) { check_pipeline_stages(t, is_uniform); }));
+    cases.push_back(
+        again_case("pipeline_uniform" + leaf, {"10.R.2-1", "11.R.10-1"},
+                   "Repeat a draw of a program pipeline; make either program the active one and set a uniform.",
+                   "The earlier value; the uniform of another program.",
+                   [is_uniform](Test& t) { check_pipeline_uniforms(t, is_uniform); }));
     cases.push_back(again_case("object" + leaf, {"10.R.1-28", "10.R.2-1"},
                                "Repeat a draw, delete the vertex array object, make one with fewer arrays, and repeat "
                                "the draw with two current values.",

@@ -118,6 +118,12 @@ std::vector<Change> changes_of_texture(GLuint texture, GLuint other, GLuint samp
           {"the bias", [] { gl.ARKParameterfARK(GL_DISPLACEMENT_BIAS_ARK, 0.3F); }},
           {"the channel", [] { gl.ARKParameteriARK(GL_DISPLACEMENT_CHANNEL_ARK, GL_GREEN); }},
           {"another unit", [] { gl.ARKParameteriARK(GL_DISPLACEMENT_UNIT_ARK, unit + 1); }},
+          {"glTexSubImage2D of the other unit's texture",
+           [] {
+             const std::vector<GLubyte> values = texels(29);
+             gl.ActiveTexture(GL_TEXTURE0 + unit + 1);
+             gl.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size, size, GL_RGBA, GL_UNSIGNED_BYTE, values.data());
+           }},
           {"no displacement", [] { gl.ARKParameteriARK(GL_DISPLACEMENT_UNIT_ARK, -1); }}};
 }
 

@@ -128,8 +128,20 @@ Vector flat(const Mesh& mesh, const SurfaceVertex& vertex, bool is_of_place, boo
   return sum;
 }
 
-// Heights are 1 everywhere, so that the case sees how far and in which direction each vertex moves. The angles of thin
-// triangles are small, and so are their sums.
+// Heights are 1 everywhere, so that the case sees how far and in which direction each vertex moves.
+void expect_normals(Test& t, const Mesh& mesh, const std::string& what) {
+  for (const SurfaceVertex& vertex : drawn(t, mesh, GL_LINEAR_INPUTS_ARK, 1)) {
+    const bool is_border = is_on_border(vertex);
+    const Vector expected =
+        flat(mesh, vertex, false, false) + scale * reference::direction(flat(mesh, vertex, is_border, true));
+    const double off = reference::length(reference::vector_of(vertex.position) - expected);
+    if (!t.expect(off < 1e-4, what + (is_border ? "on the border" : "inside") +
+                                  " a vertex moves along the normal of the places, or its own: off by " + as_text(off)))
+      return;
+  }
+}
+
+// The angles of thin triangles are small, and so are their sums.
 void check_normal(Test& t, bool is_thin) {
   Mesh mesh = seam(false);
   for (const std::size_t tip : {1U, 4U})
@@ -137,14 +149,17 @@ void check_normal(Test& t, bool is_thin) {
       const float middle = 0.5F * (mesh[0].position[k] + mesh[2].position[k]);
       mesh[tip].position[k] = middle + 0.1F * (mesh[tip].position[k] - middle);
     }
-  for (const SurfaceVertex& vertex : drawn(t, mesh, GL_LINEAR_INPUTS_ARK, 1)) {
-    const bool is_border = is_on_border(vertex);
-    const Vector expected =
-        flat(mesh, vertex, false, false) + scale * reference::direction(flat(mesh, vertex, is_border, true));
-    const double off = reference::length(reference::vector_of(vertex.position) - expected);
-    if (!t.expect(off < 1e-4, std::string(is_border ? "on the border" : "inside") +
-                                  " a vertex moves along the normal of the places, or its own: off by " + as_text(off)))
-      return;
+  expect_normals(t, mesh, "");
+}
+
+// All sums have the same three signs: each sign in turn.
+void check_octants(Test& t) {
+  for (unsigned octant = 0; octant < 8; ++octant) {
+    Mesh mesh = seam(false);
+    for (MeshVertex& vertex : mesh)
+      for (std::size_t k = 0; k < 3; ++k)
+        vertex.normal[k] = ((octant >> k) & 1U) != 0 ? -std::abs(vertex.normal[k]) : std::abs(vertex.normal[k]);
+    expect_normals(t, mesh, fmt::format("octant {}: ", octant));
   }
 }
 
@@ -281,6 +296,9 @@ Cases welded_displacement_cases() {
                  weld_case("normal_of_thin_triangles", {"11.R.15-24", "11.R.15-25"},
                            "The same for triangles with small angles: their sum is short, but still has a direction.",
                            "Nothing is displaced where the sum is short.", [](Test& t) { check_normal(t, true); }),
+                 weld_case("normal_of_octants", {"11.R.15-24", "11.R.15-25"},
+                           "The same with sums whose components have all signs.",
+                           "A sum of negative components counts as zero.", check_octants),
                  weld_case("other_attribute", {"11.R.15-26", "11.R.15-32", "11.R.13-1"},
                            "Repeat a draw with one DISPLACEMENT_COORDINATE_ARK, then with another.",
                            "The border has the heights of the earlier attribute.", check_other_attribute),
