@@ -13,7 +13,7 @@ constexpr GLsizei vertices = 6;
 Mesh two_triangles() {
   Mesh mesh = one_triangle();
   for (MeshVertex vertex : one_triangle()) {
-    vertex.position = {0.4F * vertex.position[0] + 0.6F, -0.4F * vertex.position[1] - 0.5F, 0, 1};
+    vertex.position = {0.3F * vertex.position[0] + 0.65F, 0.3F * vertex.position[1] + 0.65F, 0, 1};  // beside it
     mesh.push_back(vertex);
   }
   return mesh;
