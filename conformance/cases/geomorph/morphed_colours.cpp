@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Geomorphing (11.R.14) of colours. GL clamps the colours of a vertex stage (CLAMP_VERTEX_COLOR), so what is blended is
-// clamped.
+// Geomorphing (11.R.14) of colours. GL clamps the colours of a vertex stage to 0..1 (CLAMP_VERTEX_COLOR). They must be
+// clamped before they are blended.
 #include <algorithm>
 #include <cmath>
 

@@ -145,7 +145,7 @@ void check_client_group_draws(Test& t) {
   t.expect_equal(triangles_of(t, draw), 4U, "triangles after the array was enabled in between");
 }
 
-// Gives one array of positions, and perhaps one of colours and one of tags, to the vertex array object 0.
+// Uploads the mesh, and sets the array of its positions; if `has_others`, also those of its colours and tags.
 void point_at(const Mesh& mesh, GLuint buffer, bool has_others) {
   const auto place = [](std::size_t offset) { return reinterpret_cast<const void*>(offset); };
   gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
@@ -160,7 +160,8 @@ void point_at(const Mesh& mesh, GLuint buffer, bool has_others) {
   gl.Enable(GL_DEPTH_TAG_ARRAY_ARK);
 }
 
-// Draws with arrays, then with default ones but for positions, and then perhaps with the first arrays again.
+// Draws with all arrays. Then the client state is the default one, and only the array of positions is set. If the first
+// state was pushed, it is popped in the end.
 void check_client_default(Test& t, bool is_pushed) {
   if (!t.has_extension("GL_EXT_direct_state_access")) t.not_supported("no ClientAttribDefaultEXT");
   refine_by_tags(3);

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// How many coarse triangles a primitive gives with POLYGON_CENTROID_ARK (11.R.3), by every drawing command.
+// Counts the coarse triangles of polygons that are split at their centroids (POLYGON_CENTROID_ARK, 11.R.3), for every
+// drawing command.
 #include <fmt/core.h>
 #include <cmath>
 

@@ -196,8 +196,8 @@ void upload_mixed(const Memory& memory) {
   gl.EnableVertexAttribArray(at_colour);
 }
 
-// Vertices from a buffer. Indices first from a buffer, and then from memory. The name of their buffer then belongs to
-// other data.
+// The vertices are in a buffer, and so are the indices at first. Then the indices are in memory, and their buffer, or a new
+// one with its name, has other contents.
 void check_elements(Test& t, Gone how, bool is_uniform) {
   gl.UseProgram(colour_program(t));
   Memory memory;

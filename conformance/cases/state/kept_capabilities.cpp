@@ -17,7 +17,7 @@ struct Capability {
   Apis apis = every_api;
 };
 
-// Some disturb nothing but a part of the passes that an implementation may need.
+// An implementation has to disable some of them while its own passes run.
 constexpr Capability capabilities[] = {
     {GL_CULL_FACE, "CULL_FACE"},
     {GL_DEPTH_TEST, "DEPTH_TEST"},
@@ -89,8 +89,7 @@ void expect_kept(Test& t, const Capability& capability, bool is_enabled) {
   }
 }
 
-void check_kept(Test& t, GLenum source, bool is_fixed_function) {
-  gl.UseProgram(is_fixed_function ? 0 : colour_program(t));
+void prepare_triangle(GLenum source, bool is_fixed_function) {
   upload(one_triangle({1, 3, 2}));
   if (is_fixed_function) {
     gl.VertexPointer(4, GL_FLOAT, sizeof(MeshVertex), nullptr);
@@ -99,6 +98,11 @@ void check_kept(Test& t, GLenum source, bool is_fixed_function) {
   refine_uniformly(2);
   gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, static_cast<GLint>(source));
   gl.ARKParameteriARK(GL_EDGE_PIXELS_ARK, 10);
+}
+
+void check_kept(Test& t, GLenum source, bool is_fixed_function) {
+  gl.UseProgram(is_fixed_function ? 0 : colour_program(t));
+  prepare_triangle(source, is_fixed_function);
   for (const Capability& capability : capabilities) {
     if (!capability.apis.contains(t.api())) continue;
     const bool was_enabled = gl.IsEnabled(capability.name) == GL_TRUE;
@@ -123,14 +127,7 @@ void check_clipping(Test& t, GLenum source, bool is_fixed_function) {
                                                                 "    gl_ClipDistance[i] = position.x + position.y *\n"
                                                                 "                         (0.2 * float(i) - 0.7);\n"
                                                                 "  gl_Position = position; }\n"}));
-  upload(one_triangle({1, 3, 2}));
-  if (is_fixed_function) {
-    gl.VertexPointer(4, GL_FLOAT, sizeof(MeshVertex), nullptr);
-    gl.EnableClientState(GL_VERTEX_ARRAY);
-  }
-  refine_uniformly(2);
-  gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, static_cast<GLint>(source));
-  gl.ARKParameteriARK(GL_EDGE_PIXELS_ARK, 10);
+  prepare_triangle(source, is_fixed_function);
   const auto expect_drawn = [&](const std::string& what) {
     gl.Disable(GL_ARK);
     Picture plain = picture_of(draw_three);

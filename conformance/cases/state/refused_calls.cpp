@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Calls that GL refuses change nothing: neither the next refined draw, nor the state after it. An implementation that
-// follows the application's state must not follow such a call.
+// Calls that GL refuses change nothing: neither the next refined draw, nor the state after it. An implementation may keep
+// a copy of the application's state. It must not write the refused values there.
 #include <array>
 #include <functional>
 
 #include "conformance/cases/cases.h"
-#include "conformance/cases/repeated/repeated.h"
 #include "conformance/support/counted.h"
 #include "conformance/support/refined_draw.h"
 #include "conformance/support/state.h"
@@ -28,7 +27,7 @@ GLuint make_buffer(GLenum target, GLsizeiptr size = 64) {
   return buffer;
 }
 
-// Fixed function. Each corner has another colour, and lies on another side of the plane 0.
+// Fixed function. Each corner has another colour, and the clip planes of check_between() cut the triangle.
 void coloured_triangle() {
   gl.Begin(GL_TRIANGLES);
   for (const MeshVertex& vertex : one_triangle()) {
@@ -50,7 +49,16 @@ struct RefusedCall {
   GLenum state;  // of up to four integers
 };
 
-std::vector<RefusedCall> calls_between_begin_and_end(GLuint other_buffer) {
+// Names that are not bound.
+struct OtherObjects {
+  GLuint buffer = 0, array = 0, program = 0;
+
+  explicit OtherObjects(Test& t) : buffer(make_buffer(GL_COPY_READ_BUFFER)), program(colour_program(t)) {
+    gl.GenVertexArrays(1, &array);
+  }
+};
+
+std::vector<RefusedCall> calls_between_begin_and_end(const OtherObjects& other) {
   std::vector<RefusedCall> calls = {
       {"ShadeModel", [] { gl.ShadeModel(GL_FLAT); }, GL_SHADE_MODEL},
       {"ProvokingVertex", [] { gl.ProvokingVertex(GL_FIRST_VERTEX_CONVENTION); }, GL_PROVOKING_VERTEX},
@@ -61,16 +69,16 @@ std::vector<RefusedCall> calls_between_begin_and_end(GLuint other_buffer) {
       {"DepthMask", [] { gl.DepthMask(GL_FALSE); }, GL_DEPTH_WRITEMASK},
       {"Viewport", [] { gl.Viewport(0, 0, 3, 3); }, GL_VIEWPORT},
       {"MatrixMode", [] { gl.MatrixMode(GL_PROJECTION); }, GL_MATRIX_MODE},
-      {"BindVertexArray", [] { gl.BindVertexArray(0); }, GL_VERTEX_ARRAY_BINDING},
-      {"UseProgram", [] { gl.UseProgram(0); }, GL_CURRENT_PROGRAM},
+      {"BindVertexArray", [=] { gl.BindVertexArray(other.array); }, GL_VERTEX_ARRAY_BINDING},
+      {"UseProgram", [=] { gl.UseProgram(other.program); }, GL_CURRENT_PROGRAM},
       {"ListBase", [] { gl.ListBase(7); }, GL_LIST_BASE}};
   for (const auto& [name, binding] :
        {std::pair<GLenum, GLenum>{GL_DRAW_INDIRECT_BUFFER, GL_DRAW_INDIRECT_BUFFER_BINDING},
         {GL_SHADER_STORAGE_BUFFER, GL_SHADER_STORAGE_BUFFER_BINDING},
         {GL_TRANSFORM_FEEDBACK_BUFFER, GL_TRANSFORM_FEEDBACK_BUFFER_BINDING}}) {
-    calls.push_back({"BindBuffer", [=, target = name] { gl.BindBuffer(target, other_buffer); }, binding});
+    calls.push_back({"BindBuffer", [=, target = name] { gl.BindBuffer(target, other.buffer); }, binding});
     if (name != GL_DRAW_INDIRECT_BUFFER)
-      calls.push_back({"BindBufferBase", [=, target = name] { gl.BindBufferBase(target, 0, other_buffer); }, binding});
+      calls.push_back({"BindBufferBase", [=, target = name] { gl.BindBufferBase(target, 0, other.buffer); }, binding});
   }
   for (const GLenum capability :
        {GL_CLIP_PLANE0, GL_CLIP_PLANE5, GL_PRIMITIVE_RESTART, GL_PRIMITIVE_RESTART_FIXED_INDEX, GL_RASTERIZER_DISCARD,
@@ -82,7 +90,7 @@ std::vector<RefusedCall> calls_between_begin_and_end(GLuint other_buffer) {
 
 // Each call lies between Begin and End of a draw of its own, refined or not.
 void check_between(Test& t, bool is_refined) {
-  const GLuint other = make_buffer(GL_COPY_READ_BUFFER);
+  const OtherObjects other(t);
   const GLdouble plane[] = {1, 0.3, 0, 0};
   gl.ClipPlane(GL_CLIP_PLANE0, plane);
   gl.ClipPlane(GL_CLIP_PLANE5, plane);
@@ -103,9 +111,9 @@ void check_between(Test& t, bool is_refined) {
   }
 }
 
-// The control: these calls are allowed elsewhere, and change the picture or the state.
+// Plain GL refuses each call between Begin and End.
 void control_between(Test& t) {
-  const GLuint other = make_buffer(GL_COPY_READ_BUFFER);
+  const OtherObjects other(t);
   for (const RefusedCall& refused : calls_between_begin_and_end(other)) {
     gl.Begin(GL_TRIANGLES);
     refused.call();

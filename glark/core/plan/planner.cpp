@@ -57,8 +57,8 @@ RefinementChoice refinement_choice(const Environment& environment, const Program
   facts.inputs.can_curve |= program.fixed_function && displaces(environment.options, environment.ark);
   facts.inputs.can_curve |= normal != own_normal;
   facts.made_normal = normal == made_normal;
-  facts.flat_shaded = environment.options.smooth && program.fixed_function && program.input_traits.can_curve &&
-                      environment.bindings().shade_model == GL_FLAT;
+  facts.flat_shaded = environment.options.smooth && !environment.ark.enabled && program.fixed_function &&
+                      program.input_traits.can_curve && environment.bindings().shade_model == GL_FLAT;
   return choose_refinement(facts);
 }
 

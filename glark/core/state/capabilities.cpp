@@ -70,6 +70,9 @@ void read_limits(const gl::Dispatch& gl, Capabilities& capabilities) {
     capabilities.max_vertex_attribute_stride = get_integer(gl, GL_MAX_VERTEX_ATTRIB_STRIDE);
   }
   capabilities.max_vertex_storage_blocks = get_integer(gl, GL_MAX_VERTEX_SHADER_STORAGE_BLOCKS);
+  capabilities.storage_bindings = static_cast<GLuint>(get_integer(gl, GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS));
+  capabilities.feedback_buffers = static_cast<GLuint>(
+      get_integer(gl, es ? GL_MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS : GL_MAX_TRANSFORM_FEEDBACK_BUFFERS));
   capabilities.max_feedback_components = get_integer(gl, GL_MAX_TRANSFORM_FEEDBACK_INTERLEAVED_COMPONENTS);
 }
 

@@ -36,6 +36,8 @@ struct Capabilities {
   GLint max_texture_units = 0;
   GLint max_feedback_components = 64;
   GLint max_vertex_storage_blocks = 0;
+  GLuint storage_bindings = 0;  // indexed bindings of GL_SHADER_STORAGE_BUFFER
+  GLuint feedback_buffers = 0;  // indexed bindings of GL_TRANSFORM_FEEDBACK_BUFFER
 
   bool is_compatibility() const { return api == Api::compatibility; }
 };

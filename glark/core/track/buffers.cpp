@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 //
 // Hooks of buffer objects: which buffers are bound, and which ones the GPU may write.
-#include "glark/core/objects/get_integer.h"
 #include "glark/core/track/track.h"
 
 namespace glark::core {
@@ -14,23 +13,38 @@ bool surely_bound(const Context& c, GLuint buffer, std::uint64_t generation) {
                                            c.state().arrays().bound_buffers().confirmed(buffer, generation));
 }
 
-// After the call: returns whether GL has accepted the name.
-bool has_accepted(Context& c, GLuint buffer) {
-  return surely_bound(c, buffer, c.share().buffers.generation(buffer)) || c.gl().IsBuffer(buffer) != GL_FALSE;
+// The binding of a target that refined draws use themselves and give back; null for other targets.
+GLuint* tracked_binding(Context& c, GLenum target) {
+  Bindings& b = c.state().bindings();
+  switch (target) {
+    case GL_DRAW_INDIRECT_BUFFER: return &b.draw_indirect_buffer;
+    case GL_PARAMETER_BUFFER: return &b.parameter_buffer;
+    case GL_QUERY_BUFFER: return &b.query_buffer;
+    case GL_SHADER_STORAGE_BUFFER: return &b.storage_buffer;
+    case GL_TRANSFORM_FEEDBACK_BUFFER: return &b.transform_feedback.buffer;
+    default: return nullptr;
+  }
 }
 
-// After the call: returns whether GL has accepted the index of a binding that is tracked.
-bool has_accepted_index(Context& c, GLenum target, GLuint index) {
+// After the call: returns whether GL has accepted the name. GL is asked once for each buffer.
+bool has_accepted(Context& c, GLuint buffer) {
+  const std::uint64_t generation = c.share().buffers.generation(buffer);
+  if (surely_bound(c, buffer, generation)) {
+    return true;
+  }
+  if (c.gl().IsBuffer(buffer) == GL_FALSE) {
+    return false;
+  }
+  c.state().arrays().bound_buffers().confirm(buffer, generation);
+  return true;
+}
+
+bool is_index_of(const Context& c, GLenum target, GLuint index) {
   switch (target) {
-    case GL_SHADER_STORAGE_BUFFER:
-      return index < tracked_storage_bindings ||
-             index < static_cast<GLuint>(get_integer(c.gl(), GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS));
-    case GL_TRANSFORM_FEEDBACK_BUFFER: {
-      const bool es = c.capabilities().api == Capabilities::Api::es;
-      const GLenum limit = es ? GL_MAX_TRANSFORM_FEEDBACK_SEPARATE_ATTRIBS : GL_MAX_TRANSFORM_FEEDBACK_BUFFERS;
-      return !c.state().bindings().transform_feedback.active && index < static_cast<GLuint>(get_integer(c.gl(), limit));
-    }
-    default: return true;
+    case GL_SHADER_STORAGE_BUFFER: return index < c.capabilities().storage_bindings;
+    case GL_TRANSFORM_FEEDBACK_BUFFER:
+      return index < c.capabilities().feedback_buffers && !c.state().bindings().transform_feedback.active;
+    default: return false;
   }
 }
 
@@ -61,28 +75,11 @@ void follow_several(Context& c, GLenum target, GLsizei count, const GLuint* buff
   }
 }
 
-void set_binding(Context& c, GLenum target, GLuint buffer) {
-  switch (target) {
-    case GL_DRAW_INDIRECT_BUFFER: c.state().bindings().draw_indirect_buffer = buffer; break;
-    case GL_PARAMETER_BUFFER: c.state().bindings().parameter_buffer = buffer; break;
-    case GL_QUERY_BUFFER: c.state().bindings().query_buffer = buffer; break;
-    case GL_SHADER_STORAGE_BUFFER: c.state().bindings().storage_buffer = buffer; break;
-    case GL_TRANSFORM_FEEDBACK_BUFFER: c.state().bindings().transform_feedback.buffer = buffer; break;
-    default: break;
-  }
-}
-
 // GL may have refused the index or the alignment.
 void forget_range(Context& c, GLenum target, GLuint buffer) {
   follow_indexed(c, target, buffer);
-  if (target == GL_SHADER_STORAGE_BUFFER || target == GL_TRANSFORM_FEEDBACK_BUFFER) {
+  if (tracked_binding(c, target) != nullptr) {
     c.state().forget_bindings();
-  }
-}
-
-void set_indexed(Context& c, GLenum target, GLuint index, const IndexedBuffer& binding) {
-  if (target == GL_SHADER_STORAGE_BUFFER && index < c.state().bindings().storage.size()) {
-    c.state().bindings().storage[index] = binding;
   }
 }
 
@@ -90,7 +87,7 @@ void set_indexed(Context& c, GLenum target, GLuint index, const IndexedBuffer& b
 
 namespace hook {
 
-// Programs bind buffers before every draw. So the most frequent target comes first, and the real call last, by a jump.
+// Programs bind buffers before every draw. So the most frequent target comes first.
 void BindBuffer(Context& c, GLenum target, GLuint buffer) {
   if (target == GL_ARRAY_BUFFER) {
     const std::uint64_t generation = c.share().buffers.generation(buffer);
@@ -102,8 +99,8 @@ void BindBuffer(Context& c, GLenum target, GLuint buffer) {
   if (c.state().immediate().open()) {
     return;  // GL has refused
   }
-  if (has_accepted(c, buffer)) {
-    set_binding(c, target, buffer);
+  if (GLuint* const tracked = tracked_binding(c, target); tracked != nullptr && has_accepted(c, buffer)) {
+    *tracked = buffer;
   }
   follow_binding(c, target, buffer);
   if (target == GL_EXTERNAL_VIRTUAL_MEMORY_BUFFER_AMD) {
@@ -116,9 +113,11 @@ void BindBufferBase(Context& c, GLenum target, GLuint index, GLuint buffer) {
   if (c.state().immediate().open()) {
     return;  // GL has refused
   }
-  if (has_accepted_index(c, target, index) && has_accepted(c, buffer)) {
-    set_binding(c, target, buffer);
-    set_indexed(c, target, index, {buffer, 0, 0});
+  if (is_index_of(c, target, index) && has_accepted(c, buffer)) {
+    *tracked_binding(c, target) = buffer;
+    if (target == GL_SHADER_STORAGE_BUFFER && index < tracked_storage_bindings) {
+      c.state().bindings().storage[index] = {buffer, 0, 0};
+    }
   }
   follow_indexed(c, target, buffer);
 }

@@ -229,16 +229,16 @@ void MatrixMode(Context& c, GLenum mode) {
 }
 
 void Viewport(Context& c, GLint x, GLint y, GLsizei width, GLsizei height) {
-  constexpr GLsizei certainly_possible = 4096;  // GL clamps what is beyond GL_MAX_VIEWPORT_DIMS
+  constexpr GLsizei certainly_possible = 4096;
   c.gl().Viewport(x, y, width, height);
   if (!track::executes(c) || width < 0 || height < 0) {
     return;
   }
-  if (std::max(width, height) > certainly_possible) {
-    c.state().forget_bindings();
-  } else {
-    c.state().bindings().viewport = {static_cast<float>(width), static_cast<float>(height)};
+  std::array<GLint, 4> viewport{x, y, width, height};
+  if (std::max(width, height) > certainly_possible) {  // GL clamps to GL_MAX_VIEWPORT_DIMS
+    c.gl().GetIntegerv(GL_VIEWPORT, viewport.data());
   }
+  c.state().bindings().viewport = {static_cast<float>(viewport[2]), static_cast<float>(viewport[3])};
 }
 
 void ViewportIndexedf(Context& c, GLuint index, GLfloat x, GLfloat y, GLfloat width, GLfloat height) {

@@ -2,20 +2,13 @@
 // SPDX-License-Identifier: MIT
 //
 // --refine smooth: what glShadeModel(GL_FLAT) shows in one colour a triangle.
-#include <cstdlib>
 #include <vector>
 
 #include "tests/core/meshes/ball.h"
+#include "tests/core/meshes/under_glark_run.h"
 
 namespace glark::core::test {
 namespace {
-
-// The program runs as under `glark run`. The library reads the variables when the first context is made.
-const bool as_under_glark_run = [] {
-  return setenv("GLARK_CONFIG", "/dev/null", 1) == 0 && setenv("GLARK_ENABLE", "1", 1) == 0 &&
-         setenv("GLARK_REFINE", "smooth", 1) == 0 && setenv("GLARK_LEVEL", "3", 1) == 0 &&
-         setenv("GLARK_WAIT", "1", 1) == 0;
-}();
 
 class FlatShading : public testing::TestWithParam<Source> {
  protected:
@@ -50,6 +43,19 @@ TEST_P(FlatShading, FlattensARoundMeshAtOnce) {
   EXPECT_GT(pixels(ball), round_pixels);
   glShadeModel(GL_FLAT);
   EXPECT_NEAR(covered_pixels(draw_frames(1, [&] { ball.draw(); })[0]), octahedron_pixels, octahedron_pixels / 50);
+}
+
+// Smooth does not overrule a program that asks for a curved refinement itself.
+TEST_P(FlatShading, IsWhatAProgramThatCallsTheExtensionMayAskFor) {
+  ASSERT_TRUE(as_under_glark_run);
+  const Ball ball(GetParam());
+  glShadeModel(GL_FLAT);
+  glARKinit(3);
+  glEnable(GL_ARK);
+  glARKParameteriARK(GL_REFINEMENT_ARK, GL_CURVED_PN_ARK);
+  glARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_UNIFORM_DEPTH_ARK);
+  glARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, 3);
+  EXPECT_GT(pixels(ball), round_pixels);
 }
 
 INSTANTIATE_TEST_SUITE_P(AllSources, FlatShading,

@@ -2,20 +2,13 @@
 // SPDX-License-Identifier: MIT
 //
 // --refine smooth: polygons that glBegin..glEnd draws one by one.
-#include <cstdlib>
 #include <vector>
 
 #include "tests/core/meshes/ball.h"
+#include "tests/core/meshes/under_glark_run.h"
 
 namespace glark::core::test {
 namespace {
-
-// The program runs as under `glark run`. The library reads the variables when the first context is made.
-const bool as_under_glark_run = [] {
-  return setenv("GLARK_CONFIG", "/dev/null", 1) == 0 && setenv("GLARK_ENABLE", "1", 1) == 0 &&
-         setenv("GLARK_REFINE", "smooth", 1) == 0 && setenv("GLARK_LEVEL", "3", 1) == 0 &&
-         setenv("GLARK_WAIT", "1", 1) == 0;
-}();
 
 void draw_one_by_one(GLenum mode) {
   const std::vector<std::array<GLfloat, 3>> corners = ball_corners();

@@ -4,22 +4,15 @@
 // --refine smooth: a mesh is curved in all of its passes or in none. The tests draw an octahedron with the normals of a
 // ball. Each frame ends with glFinish. The first frame shows the octahedron as it is without glark.
 #include <algorithm>
-#include <cstdlib>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "tests/core/meshes/ball.h"
+#include "tests/core/meshes/under_glark_run.h"
 
 namespace glark::core::test {
 namespace {
-
-// The program runs as under `glark run`. The library reads the variables when the first context is made.
-const bool as_under_glark_run = [] {
-  return setenv("GLARK_CONFIG", "/dev/null", 1) == 0 && setenv("GLARK_ENABLE", "1", 1) == 0 &&
-         setenv("GLARK_REFINE", "smooth", 1) == 0 && setenv("GLARK_LEVEL", "3", 1) == 0 &&
-         setenv("GLARK_WAIT", "1", 1) == 0;
-}();
 
 class OneShape : public testing::TestWithParam<Source> {
  protected:

@@ -57,8 +57,8 @@ vec3 glark_pn_edge_normal(vec3 near, vec3 unit_normal_near, vec3 far, vec3 unit_
   return glark_pn_unit(reflected);
 }
 
-// The same, on an edge that may be straight although its normals lean along it: there, they do not tell how it bends, and
-// their mean is not reflected.
+// The same, but the mean is not reflected on a straight edge: welding keeps some edges straight whose normals lean along
+// them, and the reflection would make the light wave.
 vec3 glark_pn_creased_normal(vec3 near, vec3 unit_normal_near, vec3 far, vec3 unit_normal_far, vec3 near_control, vec3 far_control) {
   glark_precise vec3 near_third = 2.0 * near + far;
   glark_precise vec3 far_third = 2.0 * far + near;
@@ -67,17 +67,14 @@ vec3 glark_pn_creased_normal(vec3 near, vec3 unit_normal_near, vec3 far, vec3 un
 }
 
 // The normal is as long as the linear interpolation of the corners' lengths. It is linear where the construction gives
-// no direction. n110, n011, n101: of the edges.
-vec3 glark_pn_mixed_normal(vec3 weights, vec3 normal0, vec3 normal1, vec3 normal2, vec3 n110, vec3 n011, vec3 n101) {
+// no direction. n0, n1, n2: the corners' unit normals; n110, n011, n101: the normals of the edges.
+vec3 glark_pn_mixed_normal(vec3 weights, vec3 normal0, vec3 normal1, vec3 normal2, vec3 n0, vec3 n1, vec3 n2, vec3 n110, vec3 n011, vec3 n101) {
   glark_precise float w = weights.x;
   glark_precise float u = weights.y;
   glark_precise float v = weights.z;
   if (w == 1.0) return normal0;
   if (u == 1.0) return normal1;
   if (v == 1.0) return normal2;
-  vec3 n0 = glark_pn_unit(normal0);
-  vec3 n1 = glark_pn_unit(normal1);
-  vec3 n2 = glark_pn_unit(normal2);
   glark_precise vec3 corners = (n0 * (w * w) + n1 * (u * u)) + n2 * (v * v);
   glark_precise vec3 edges = (n110 * (w * u) + n011 * (u * v)) + n101 * (v * w);
   vec3 direction = glark_pn_unit(corners + edges);
@@ -91,7 +88,7 @@ vec3 glark_pn_normal(vec3 weights, vec3 p0, vec3 p1, vec3 p2, vec3 normal0, vec3
   vec3 n0 = glark_pn_unit(normal0);
   vec3 n1 = glark_pn_unit(normal1);
   vec3 n2 = glark_pn_unit(normal2);
-  return glark_pn_mixed_normal(weights, normal0, normal1, normal2, glark_pn_edge_normal(p0, n0, p1, n1),
+  return glark_pn_mixed_normal(weights, normal0, normal1, normal2, n0, n1, n2, glark_pn_edge_normal(p0, n0, p1, n1),
                                glark_pn_edge_normal(p1, n1, p2, n2), glark_pn_edge_normal(p2, n2, p0, n0));
 }
 
@@ -99,6 +96,6 @@ vec3 glark_pn_normal_beside_creases(vec3 weights, vec3 p0, vec3 p1, vec3 p2, vec
   vec3 n0 = glark_pn_unit(normal0);
   vec3 n1 = glark_pn_unit(normal1);
   vec3 n2 = glark_pn_unit(normal2);
-  return glark_pn_mixed_normal(weights, normal0, normal1, normal2, glark_pn_creased_normal(p0, n0, p1, n1, b210, b120),
+  return glark_pn_mixed_normal(weights, normal0, normal1, normal2, n0, n1, n2, glark_pn_creased_normal(p0, n0, p1, n1, b210, b120),
                                glark_pn_creased_normal(p1, n1, p2, n2, b021, b012), glark_pn_creased_normal(p2, n2, p0, n0, b102, b201));
 }

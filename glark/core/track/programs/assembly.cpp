@@ -13,7 +13,7 @@ namespace {
 // Returns whether the call has changed vertex programs that refined draws depend on.
 bool follows(Context& c, GLenum target) {
   return track::executes(c) && target == GL_VERTEX_PROGRAM_ARB && c.options().transparent &&
-         c.capabilities().refinable && c.capabilities().is_compatibility() && !c.state().immediate().open();
+         c.capabilities().refinable && c.capabilities().is_compatibility();
 }
 
 void note_environment(Context& c, GLenum target, GLuint first, const GLfloat* values, GLsizei count = 1) {
