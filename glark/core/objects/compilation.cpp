@@ -5,6 +5,9 @@
 #include <array>
 #include <chrono>
 
+#include "glark/core/objects/buffer_names.h"
+#include "glark/core/objects/gpu_buffer.h"
+
 namespace glark::core {
 namespace {
 
@@ -56,9 +59,9 @@ void Compilation::warm_up(const ComputePass& pass) {
   gl_.GetIntegerv(GL_DISPATCH_INDIRECT_BUFFER_BINDING, &buffer);
   if (no_groups_ == 0) {
     constexpr std::array<GLuint, 3> none{};
-    gl_.GenBuffers(1, &no_groups_);
-    gl_.BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, no_groups_);
-    gl_.BufferData(GL_DISPATCH_INDIRECT_BUFFER, sizeof(none), none.data(), GL_STATIC_DRAW);
+    const CopyWriteBinding binding(gl_, 0);
+    no_groups_ = bind_new_buffer(gl_);
+    gl_.BufferData(GL_COPY_WRITE_BUFFER, sizeof(none), none.data(), GL_STATIC_DRAW);
   }
   gl_.BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, no_groups_);
   pass.use(gl_);
@@ -97,7 +100,7 @@ void Compilation::frame_finished() {
 
 void Compilation::release() {
   if (no_groups_ != 0) {
-    gl_.DeleteBuffers(1, &no_groups_);
+    delete_buffer(gl_, no_groups_);
     no_groups_ = 0;
   }
 }

@@ -7,6 +7,8 @@
 #include <cstring>
 #include <limits>
 
+#include "glark/core/objects/buffer_names.h"
+
 namespace glark::core {
 namespace {
 
@@ -28,13 +30,13 @@ bool GpuBuffer::allocate(const gl::Dispatch& gl, std::int64_t size, const void* 
     return false;
   }
   GLuint fresh = 0;
-  gl.GenBuffers(1, &fresh);
   {
-    const CopyWriteBinding binding(gl, fresh);
+    const CopyWriteBinding binding(gl, 0);
+    fresh = bind_new_buffer(gl);
     gl.BufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(size), data, usage);
   }
   if (gl.GetError() != GL_NO_ERROR) {
-    gl.DeleteBuffers(1, &fresh);
+    delete_buffer(gl, fresh);
     return false;
   }
   release(gl);
@@ -78,7 +80,7 @@ void GpuBuffer::copy_from(const gl::Dispatch& gl, GLuint buffer, std::int64_t fr
 
 void GpuBuffer::release(const gl::Dispatch& gl) {
   if (name_ != 0) {
-    gl.DeleteBuffers(1, &name_);
+    delete_buffer(gl, name_);
     deleted.fetch_add(1, std::memory_order_relaxed);
     name_ = 0;
     size_ = 0;

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// A compatibility context and OpenGL ES let programs choose the names of buffers. Such a name is never one of ours.
+#include <array>
+#include <vector>
+
+#include "tests/core/support/modes.h"
+#include "tests/core/support/scene.h"
+
+namespace glark::core::test {
+namespace {
+
+constexpr GLuint last_chosen_name = 300;
+constexpr std::array<GLfloat, 12> two_triangles{-0.9F, -0.9F, 0.9F, -0.9F, 0.9F,  0.9F,
+                                                -0.9F, -0.9F, 0.9F, 0.9F,  -0.9F, 0.9F};
+
+class ChosenNames : public testing::Test {
+ protected:
+  ChosenNames() {
+    glBindBuffer(GL_ARRAY_BUFFER, 1);
+    glBufferData(GL_ARRAY_BUFFER, sizeof(two_triangles), two_triangles.data(), GL_STATIC_DRAW);
+    glVertexPointer(2, GL_FLOAT, 0, nullptr);
+    glEnableClientState(GL_VERTEX_ARRAY);
+    glColor4f(1, 0.5F, 0.25F, 1);
+  }
+
+  static void draw() { glDrawArrays(GL_TRIANGLES, 0, 6); }
+
+  // Draws with more than one pattern, so that the triangles are captured, sorted and kept.
+  Picture draw_repeatedly() {
+    refine_uniformly(3, GL_LINEAR_OUTPUTS_ARK);
+    Picture picture;
+    for (int i = 0; i < 8; ++i) picture = picture_of(draw);
+    glARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_MEASURED_DEPTH_ARK);
+    glARKParameteriARK(GL_EDGE_PIXELS_ARK, 5);
+    for (int i = 0; i < 8; ++i) picture = picture_of(draw);
+    return picture;
+  }
+
+  OsmesaContext context_{Profile::compatibility};
+};
+
+TEST_F(ChosenNames, AreFree) {
+  draw_repeatedly();
+  for (GLuint name = 2; name <= last_chosen_name; ++name) EXPECT_EQ(glIsBuffer(name), GL_FALSE) << name;
+  std::array<GLuint, 3> names{};
+  glGenBuffers(3, names.data());
+  EXPECT_LT(names[2], 1U << 15U) << "some programs keep names in 16 bits";
+  EXPECT_EQ(pending_errors(), "");
+}
+
+TEST_F(ChosenNames, KeepTheirContentsAndThePicture) {
+  const Picture plain = picture_of(draw);
+  draw_repeatedly();
+  for (GLuint name = 2; name <= last_chosen_name; ++name) {
+    glBindBuffer(GL_ARRAY_BUFFER, name);
+    const std::vector<GLuint> contents(256, name);
+    glBufferData(GL_ARRAY_BUFFER, 1024, contents.data(), GL_STATIC_DRAW);
+  }
+  EXPECT_LE(differing_pixels(plain, draw_repeatedly()), tolerated_pixels);
+  for (GLuint name = 2; name <= last_chosen_name; ++name) {
+    glBindBuffer(GL_ARRAY_BUFFER, name);
+    std::array<GLuint, 256> contents{};
+    glGetBufferSubData(GL_ARRAY_BUFFER, 0, sizeof(contents), contents.data());
+    EXPECT_EQ(contents[0], name);
+    EXPECT_EQ(contents[255], name);
+  }
+  EXPECT_EQ(pending_errors(), "");
+}
+
+// A program that chooses large names meets no buffer of ours, either: it was the first.
+TEST_F(ChosenNames, MayBeLarge) {
+  constexpr GLuint first = 1U << 14U;
+  std::array<GLfloat, 4> contents{1, 2, 3, 4};
+  for (GLuint name = first; name < first + 200; ++name) {
+    glBindBuffer(GL_UNIFORM_BUFFER, name);
+    glBufferData(GL_UNIFORM_BUFFER, sizeof(contents), contents.data(), GL_STATIC_DRAW);
+  }
+  const Picture plain = picture_of(draw);
+  EXPECT_LE(differing_pixels(plain, draw_repeatedly()), tolerated_pixels);
+  for (GLuint name = first; name < first + 200; ++name) {
+    glBindBuffer(GL_UNIFORM_BUFFER, name);
+    GLint size = 0;
+    glGetBufferParameteriv(GL_UNIFORM_BUFFER, GL_BUFFER_SIZE, &size);
+    EXPECT_EQ(size, static_cast<GLint>(sizeof(contents)));
+  }
+  EXPECT_EQ(pending_errors(), "");
+}
+
+}  // namespace
+}  // namespace glark::core::test
