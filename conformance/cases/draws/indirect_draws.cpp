@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Draws whose vertex count is in a buffer, and every kind of query that counts primitives.
+// Draws whose vertex count is in a buffer.
 #include <cstring>
 
 #include "conformance/cases/cases.h"
+#include "conformance/cases/draws/four_triangles.h"
 #include "conformance/support/capture.h"
 #include "conformance/support/counted.h"
 #include "conformance/support/state.h"
@@ -13,34 +14,6 @@ namespace glark::conformance {
 namespace {
 
 using Draw = std::function<void()>;
-
-constexpr GLsizei all_vertices = 12;
-
-// Four triangles at four places. The second pair repeats nothing of the first.
-Mesh four_triangles() {
-  Mesh mesh;
-  for (int i = 0; i < 4; ++i)
-    for (MeshVertex vertex : one_triangle()) {
-      const auto n = static_cast<float>(i);
-      vertex.position = {0.4F * vertex.position[0] + (i % 2 == 0 ? -0.5F : 0.45F),
-                         0.4F * vertex.position[1] + (i < 2 ? -0.5F : 0.5F) + 0.02F * n, 0, 1};
-      vertex.colour[2] += 0.2F * n;
-      mesh.push_back(vertex);
-    }
-  number_triangles(mesh);
-  return mesh;
-}
-
-// Repeats the four triangles, with tags of 1.
-Mesh many_triangles() {
-  Mesh mesh;
-  for (int i = 0; i < 100; ++i)
-    for (MeshVertex vertex : four_triangles()) {
-      vertex.tag = 1;
-      mesh.push_back(vertex);
-    }
-  return mesh;
-}
 
 // Each repeated draw gives the unrefined picture, with 4^2 triangles for each coarse one.
 void expect_drawn(Test& t, const Draw& draw, const std::string& what) {
@@ -64,14 +37,9 @@ void bind_words(GLenum target, const std::vector<GLuint>& words) {
   gl.BufferData(target, static_cast<GLsizeiptr>(words.size() * sizeof(GLuint)), words.data(), GL_STATIC_DRAW);
 }
 
-void set_up(Test& t) {
-  gl.UseProgram(colour_program(t));
-  upload(four_triangles(), false);
-}
-
 // Records eight words apart. The words in between would draw too much.
 void check_stride(Test& t) {
-  set_up(t);
+  set_up_four_triangles(t);
   bind_words(GL_DRAW_INDIRECT_BUFFER, {3, 1, 0, 0, 9, 9, 9, 9, 6, 1, 3, 0, 0, 0, 0, 0, 3, 2, 9, 0});
   expect_drawn(
       t, [] { gl.MultiDrawArraysIndirect(GL_TRIANGLES, nullptr, 2, 32); }, "the first two of three records");
@@ -85,7 +53,7 @@ void check_stride(Test& t) {
 
 // No record, one record, and records that draw nothing among others that do.
 void check_empty_records(Test& t) {
-  set_up(t);
+  set_up_four_triangles(t);
   bind_words(GL_DRAW_INDIRECT_BUFFER, {0, 1, 0, 0, 3, 1, 3, 0, 3, 0, 0, 0, 6, 1, 6, 0});
   expect_drawn(
       t, [] { gl.MultiDrawArraysIndirect(GL_TRIANGLES, nullptr, 4, 0); }, "four records, two of them empty");
@@ -101,7 +69,7 @@ void check_empty_records(Test& t) {
 }
 
 void check_restart(Test& t) {
-  set_up(t);
+  set_up_four_triangles(t);
   const GLuint restart = 0xffffffffU;
   gl.Enable(GL_PRIMITIVE_RESTART_FIXED_INDEX);
   bind_words(GL_ELEMENT_ARRAY_BUFFER, {0, 1, 2, restart, 3, 4, 5, restart, restart, 9, 10, 11, restart, 6});
@@ -116,7 +84,7 @@ void check_restart(Test& t) {
 
 // Small restart indices are also vertex numbers in an implementation's patterns.
 void check_small_restart(Test& t) {
-  set_up(t);
+  set_up_four_triangles(t);
   gl.Enable(GL_PRIMITIVE_RESTART);
   bind_words(GL_ELEMENT_ARRAY_BUFFER, {0, 1, 2, 7, 3, 4, 5, 9, 10, 11});
   for (const GLuint index : {7U, 1U, 4U, 10U}) {
@@ -130,7 +98,7 @@ void check_small_restart(Test& t) {
 
 // Buffers and pointers that such draws use stay bound.
 void check_bindings(Test& t) {
-  set_up(t);
+  set_up_four_triangles(t);
   gl.Enable(GL_PRIMITIVE_RESTART_FIXED_INDEX);
   bind_words(GL_ELEMENT_ARRAY_BUFFER, {0, 1, 2, 0xffffffffU, 3, 4, 5});
   bind_words(GL_DRAW_INDIRECT_BUFFER, {7, 1, 0, 0, 0});
@@ -178,7 +146,7 @@ constexpr IndexedTarget indexed_targets[] = {
 // The application reads an indexed binding with an offset between refined draws. Some ranges begin where the buffer
 // begins, but do not end where it ends.
 void check_ranges(Test& t, const IndexedTarget& indexed) {
-  set_up(t);
+  set_up_four_triangles(t);
   GLint alignment = 4;
   if (indexed.alignment != 0) gl.GetIntegerv(indexed.alignment, &alignment);
   GLuint buffer = 0;
@@ -205,103 +173,6 @@ void check_ranges(Test& t, const IndexedTarget& indexed) {
     }
   }
   t.expect_no_error("the draws");
-}
-
-struct Counting {
-  const char* leaf;
-  GLuint (*count)(GLenum target, GLuint query, const Draw& draw);
-  Apis apis = every_api;
-};
-
-void draw_in(GLenum target, GLuint query, const Draw& draw) {
-  gl.BeginQuery(target, query);
-  draw();
-  gl.EndQuery(target);
-}
-
-template <typename Result, void (*GladGLContext::*get)(GLuint, GLenum, Result*)>
-GLuint count_by(GLenum target, GLuint query, const Draw& draw) {
-  Result result = 0;
-  draw_in(target, query, draw);
-  (gl.*get)(query, GL_QUERY_RESULT, &result);
-  return static_cast<GLuint>(result);
-}
-
-const std::vector<Counting>& countings() {
-  static const std::vector<Counting> all = {
-      {"unsigned", count_by<GLuint, &GladGLContext::GetQueryObjectuiv>},
-      {"signed", count_by<GLint, &GladGLContext::GetQueryObjectiv>, desktop_apis},
-      {"unsigned_64", count_by<GLuint64, &GladGLContext::GetQueryObjectui64v>, desktop_apis},
-      {"signed_64", count_by<GLint64, &GladGLContext::GetQueryObjecti64v>, desktop_apis},
-      {"no_wait",
-       [](GLenum target, GLuint query, const Draw& draw) {
-         GLuint result = 0;
-         draw_in(target, query, draw);
-         gl.Finish();
-         for (GLuint is_there = 0; is_there == 0;) gl.GetQueryObjectuiv(query, GL_QUERY_RESULT_AVAILABLE, &is_there);
-         gl.GetQueryObjectuiv(query, GL_QUERY_RESULT_NO_WAIT, &result);
-         return result;
-       },
-       desktop_apis},
-      {"indexed",
-       [](GLenum target, GLuint query, const Draw& draw) {
-         GLuint result = 0;
-         gl.BeginQueryIndexed(target, 0, query);
-         draw();
-         gl.EndQueryIndexed(target, 0);
-         gl.GetQueryObjectuiv(query, GL_QUERY_RESULT, &result);
-         return result;
-       },
-       desktop_apis},
-  };
-  return all;
-}
-
-// The context's first refined draws run within the queries, and so do draws of other depths. One query object serves
-// all of them.
-void check_counting(Test& t, const Counting& counting, bool is_discarded) {
-  set_up(t);
-  GLuint query = 0;
-  gl.GenQueries(1, &query);
-  if (is_discarded) gl.Enable(GL_RASTERIZER_DISCARD);
-  gl.ARKinit(4);
-  gl.Enable(GL_ARK);
-  const auto draw = [] { gl.DrawArrays(GL_TRIANGLES, 0, all_vertices); };
-  for (const GLenum source : {GL_DEPTH_TAG_ARK, GL_UNIFORM_DEPTH_ARK})
-    for (const GLuint level : {3U, 1U, 4U, 0U}) {
-      gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, static_cast<GLint>(source));
-      gl.ARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, static_cast<GLint>(level));
-      gl.DepthTag1i(level);
-      for (int again = 0; again < 3; ++again)
-        t.expect_equal(counting.count(GL_PRIMITIVES_GENERATED, query, draw), GLuint{4} << (2 * level),
-                       "triangles of depth " + as_text(level));
-    }
-  // Edges of many pixels, so that all have the depth of the pool.
-  gl.ARKinit(2);
-  gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_MEASURED_DEPTH_ARK);
-  gl.ARKParameteriARK(GL_EDGE_PIXELS_ARK, 1);
-  for (int again = 0; again < 3; ++again)
-    t.expect_equal(counting.count(GL_PRIMITIVES_GENERATED, query, draw), 64U, "triangles of measured depths");
-  gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_DEPTH_TAG_ARK);
-  const Mesh many = many_triangles();
-  upload(many);
-  for (int again = 0; again < 3; ++again)
-    t.expect_equal(counting.count(GL_PRIMITIVES_GENERATED, query,
-                                  [&] { gl.DrawArrays(GL_TRIANGLES, 0, static_cast<GLsizei>(many.size())); }),
-                   static_cast<GLuint>(4 * many.size() / 3), "triangles of many with tags");
-  gl.Disable(GL_ARK);
-  t.expect_equal(counting.count(GL_PRIMITIVES_GENERATED, query, draw), 4U, "triangles that are not refined");
-  t.expect_no_error("the queries");
-}
-
-void control_counting(Test& t, const Counting& counting) {
-  set_up(t);
-  GLuint query = 0;
-  gl.GenQueries(1, &query);
-  for (int again = 0; again < 2; ++again)
-    t.expect_equal(counting.count(GL_PRIMITIVES_GENERATED, query, [] { gl.DrawArrays(GL_TRIANGLES, 0, all_vertices); }),
-                   4U, "triangles");
-  t.expect_no_error("the queries");
 }
 
 }  // namespace
@@ -344,16 +215,6 @@ Cases indirect_draws_cases() {
                      .plan = "Bind ranges of a buffer, draw, and ask for their offsets and sizes.",
                      .wrong = "The whole buffer is bound after a refined draw.",
                      .check = [&indexed](Test& t) { check_ranges(t, indexed); }});
-  for (const Counting& counting : countings())
-    for (const bool is_discarded : {false, true})
-      cases.push_back(
-          {.name = std::string("ark.after_vertex.queries.") + counting.leaf + (is_discarded ? ".discarded" : ".drawn"),
-           .clauses = {"chapter-14-8", "chapter-14-9"},
-           .plan = "One query object for draws of several depths, starting with the context's first draw.",
-           .wrong = "Coarse triangles are counted too, or subtracted twice.",
-           .apis = counting.apis,
-           .control = [&counting](Test& t) { control_counting(t, counting); },
-           .check = [&counting, is_discarded](Test& t) { check_counting(t, counting, is_discarded); }});
   return cases;
 }
 

@@ -21,13 +21,16 @@ NOT_MUTATED = (".glsl.h",)  # read by C++ and by GLSL
 ERROR = re.compile(r"^(?P<path>[^\s:]+):(?P<line>\d+):\d+: (?:fatal )?error: (?P<text>.*)$")
 NOTE = re.compile(r"^(?P<path>[^\s:]+):(?P<line>\d+):\d+:   (?:required|in .constexpr)")
 UNDECLARED = re.compile(r"[‘'](\w+)[’'] was not declared")
-# The one place where the texts of our shaders go to GL: here the mutant in such a text is chosen. A hook adds no line.
-HOOK_FILE = "glark/core/objects/shader.cpp"
-HOOKS = [("const char* text = source.c_str();",
-          "const std::string chosen_text = glark_mutants::text_of_shader(source); const char* text = chosen_text.c_str();"),
-         ("GLint compiled = GL_FALSE;",
-          "GLint compiled = GL_FALSE; struct Watch { const GLint& is; ~Watch() { glark_mutants::shader_compiled(is != 0); } } "
-          "const watch{compiled};")]
+# Where a mutant in the text of a shader is chosen: where the texts go to GL, and where the text that stands for fixed
+# function is complete, since it is parsed before. A hook adds no line.
+HOOKS = {"glark/core/objects/shader.cpp": [
+    ("const char* text = source.c_str();",
+     "const std::string chosen_text = glark_mutants::text_of_shader(source); const char* text = chosen_text.c_str();"),
+    ("GLint compiled = GL_FALSE;",
+     "GLint compiled = GL_FALSE; struct Watch { const GLint& is; ~Watch() { glark_mutants::shader_compiled(is != 0); } } "
+     "const watch{compiled};")],
+         "glark/core/refine/fixed_function/fixed_function.cpp": [
+    ('return text + "}\\n";', 'return glark_mutants::text_that_is_parsed(text + "}\\n");')]}
 ROUNDS = 25
 
 
@@ -51,11 +54,11 @@ def all_mutants(root: pathlib.Path, globs: list | None = None) -> list:
 
 def hooked(name: str, text: str, has_mutants: bool) -> str:
     """Adds what the mutants need, without a line of its own: the line of an error tells which mutant it is about."""
-    for old, new in HOOKS if name == HOOK_FILE else ():
+    for old, new in HOOKS.get(name, ()):
         if text.count(old) != 1:
             raise run.Complaint(f"{name}: {old!r} occurs {text.count(old)} times; schemata/build.py hooks in there")
         text = text.replace(old, new)
-    if name.endswith(".glsl") or not (has_mutants or name == HOOK_FILE):
+    if name.endswith(".glsl") or not (has_mutants or name in HOOKS):
         return text
     first, _, rest = text.partition("\n")
     if not first.startswith("//"):
@@ -107,7 +110,7 @@ class Library:
         for name in names:
             path = self.source / name
             path.parent.mkdir(parents=True, exist_ok=True)
-            if name in self.by_file or name == HOOK_FILE:
+            if name in self.by_file or name in HOOKS:
                 self.write(name)
             elif name != "CMakeLists.txt" and (not path.is_file() or path.read_bytes() != (self.root / name).read_bytes()):
                 shutil.copyfile(self.root / name, path)
@@ -130,7 +133,7 @@ class Library:
     def relax_flags(self) -> None:
         """Files with mutants, or with headers that have some, are compiled once and run for a while: without warnings, without -O3."""
         has_headers = any(name.endswith(".h") for name in self.by_file)
-        names = [name for name in sources_of(self.root) if name.endswith(".cpp") and (has_headers or name in self.by_file or name == HOOK_FILE)]
+        names = [name for name in sources_of(self.root) if name.endswith(".cpp") and (has_headers or name in self.by_file or name in HOOKS)]
         paths = "\n  ".join(f"${{PROJECT_SOURCE_DIR}}/{name}" for name in names)
         text = (self.root / "CMakeLists.txt").read_text() + f"""
 foreach(target glark_core glark_pattern glark_derive GLARK)

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Hooks of queries. Queries that count primitives must not count our captures.
+// Hooks that begin and end queries. Queries that count primitives must not count our captures.
 #include <algorithm>
 
 #include "glark/core/track/track.h"
@@ -74,21 +74,6 @@ void query_ended(Context& c, GLenum target, GLuint index) {
   }
 }
 
-// Subtracts what our captures added from a result that GL has written to client memory.
-template <typename Value>
-void correct_result(Context& c, GLuint id, GLenum name, Value* result) {
-  const BoundBuffer* bound = c.state().arrays().bound_buffers().at(GL_QUERY_BUFFER);
-  if (c.capabilities().query_buffer && (!bound->known || bound->name != 0)) {
-    c.writes().to_target(GL_QUERY_BUFFER);
-  }
-  const std::uint64_t* surplus = c.state().query_surplus().find(id);
-  if (surplus == nullptr || result == nullptr || c.state().bindings().query_buffer != 0 ||
-      (name != GL_QUERY_RESULT && name != GL_QUERY_RESULT_NO_WAIT)) {
-    return;
-  }
-  *result -= std::min(*result, static_cast<Value>(*surplus));
-}
-
 }  // namespace
 
 namespace hook {
@@ -121,26 +106,6 @@ void DeleteQueries(Context& c, GLsizei n, const GLuint* ids) {
       }
     }
   }
-}
-
-void GetQueryObjectiv(Context& c, GLuint id, GLenum name, GLint* result) {
-  c.gl().GetQueryObjectiv(id, name, result);
-  correct_result(c, id, name, result);
-}
-
-void GetQueryObjectuiv(Context& c, GLuint id, GLenum name, GLuint* result) {
-  c.gl().GetQueryObjectuiv(id, name, result);
-  correct_result(c, id, name, result);
-}
-
-void GetQueryObjecti64v(Context& c, GLuint id, GLenum name, GLint64* result) {
-  c.gl().GetQueryObjecti64v(id, name, result);
-  correct_result(c, id, name, result);
-}
-
-void GetQueryObjectui64v(Context& c, GLuint id, GLenum name, GLuint64* result) {
-  c.gl().GetQueryObjectui64v(id, name, result);
-  correct_result(c, id, name, result);
 }
 
 }  // namespace hook
