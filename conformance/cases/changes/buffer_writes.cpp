@@ -48,6 +48,21 @@ void store_indirectly(Test& t, Scene& s) {
   });
 }
 
+// Binds two buffers at once. The one that is written is the first one, or the second one.
+void store_in_one_of_two(Test& t, Scene& s, bool has_ranges, bool is_first) {
+  const std::vector<GLubyte> content(static_cast<std::size_t>(s.colour_bytes()));
+  s.made.push_back(make_buffer(GL_SHADER_STORAGE_BUFFER, content.data(), s.colour_bytes()));
+  compute(t, s, storing, GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT, [&] {
+    const GLuint buffers[] = {is_first ? s.colours : s.made.back(), is_first ? s.made.back() : s.colours};
+    const GLintptr offsets[] = {0, 0};
+    const GLsizeiptr sizes[] = {s.colour_bytes(), s.colour_bytes()};
+    const GLuint first = is_first ? 1 : 0;
+    has_ranges ? gl.BindBuffersRange(GL_SHADER_STORAGE_BUFFER, first, 2, buffers, offsets, sizes)
+               : gl.BindBuffersBase(GL_SHADER_STORAGE_BUFFER, first, 2, buffers);
+    gl.DispatchCompute(static_cast<GLuint>(s.vertices()), 1, 1);
+  });
+}
+
 // Writes through a buffer texture.
 void store_image(Test& t, Scene& s) {
   GLuint texture = 0;
@@ -213,6 +228,24 @@ std::vector<Change> common() {
       {"ReadnPixels", {"ReadnPixels"}, Concern::arrays, readn_pixels, every_api, 45},
       {"DispatchCompute", {"DispatchCompute", "MemoryBarrier"}, Concern::arrays, store},
       {"DispatchComputeIndirect", {"DispatchComputeIndirect"}, Concern::arrays, store_indirectly},
+      {"storage_by_bind_buffers_base",
+       {"DispatchCompute"},
+       Concern::arrays,
+       [](Test& t, Scene& s) { store_in_one_of_two(t, s, false, true); },
+       desktop_apis,
+       44},
+      {"storage_by_bind_buffers_base_second",
+       {"DispatchCompute"},
+       Concern::arrays,
+       [](Test& t, Scene& s) { store_in_one_of_two(t, s, false, false); },
+       desktop_apis,
+       44},
+      {"storage_by_bind_buffers_range",
+       {"DispatchCompute"},
+       Concern::arrays,
+       [](Test& t, Scene& s) { store_in_one_of_two(t, s, true, true); },
+       desktop_apis,
+       44},
       {"imageStore", {"BindImageTexture", "TexBuffer"}, Concern::arrays, store_image},
       {"atomic_counter", {"DispatchCompute", "BindBufferBase"}, Concern::arrays, count},
   };

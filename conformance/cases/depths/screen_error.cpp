@@ -171,26 +171,31 @@ void check_least(Test& t) {
 
 // Edges of triangles that are culled need no depth. When the other side is culled, what shows again has its depths,
 // also after many repetitions.
-void check_culling(Test& t, bool is_welded) {
+void check_culling(Test& t, bool is_welded, bool is_reversed) {
   gl.UseProgram(program(t, "position"));
   measure_error(0.3F);
   gl.ARKParameteriARK(GL_WELD_ARK, is_welded ? GL_TRUE : GL_FALSE);
-  upload(mesh_of(bent));
+  Corners corners = bent;
+  if (is_reversed) std::swap(corners[0], corners[1]);
+  upload(mesh_of(corners));
   const auto draw = [] { gl.DrawArrays(GL_TRIANGLES, 0, 3); };
   const GLuint all = count_generated(draw);
   t.expect(all > 4, "the triangle is refined");
   gl.Enable(GL_CULL_FACE);
   const Picture nothing(surface_size, surface_size);
   int shown = 0;
-  for (const GLenum side : {GL_FRONT, GL_BACK, GL_FRONT, GL_BACK}) {
-    gl.CullFace(side);
-    repeat_often(draw);
-    if (count_different(picture_of(draw), nothing, 8) == 0) continue;
-    ++shown;
-    for (int again = 0; again < 3; ++again)
-      t.expect_equal(count_generated(draw), all, "triangles of a triangle that is not culled");
+  for (const GLenum front : {GL_CCW, GL_CW, GL_CCW}) {
+    gl.FrontFace(front);
+    for (const GLenum side : {GL_FRONT, GL_FRONT_AND_BACK, GL_BACK, GL_FRONT, GL_BACK}) {
+      gl.CullFace(side);
+      repeat_often(draw);
+      if (count_different(picture_of(draw), nothing, 8) == 0) continue;
+      ++shown;
+      for (int again = 0; again < 3; ++again)
+        t.expect_equal(count_generated(draw), all, "triangles of a triangle that is not culled");
+    }
   }
-  t.expect_equal(shown, 2, "one of the sides shows");
+  t.expect_equal(shown, 6, "one of the sides shows");
 }
 
 void check_refused(Test& t) {
@@ -220,10 +225,13 @@ Cases screen_error_cases() {
                             "The greater depth.", check_least),
           screen_error_case("culling", {"11.R.4-19"}, "Repeat a draw often, cull the other side, and repeat it.",
                             "Depths of a culled triangle are used when it shows again.",
-                            [](Test& t) { check_culling(t, false); }),
+                            [](Test& t) { check_culling(t, false, false); }),
+          screen_error_case("culling_reversed", {"11.R.4-19"}, "The same, but the triangle shows its back.",
+                            "The side that was culled first counts as culled.",
+                            [](Test& t) { check_culling(t, false, true); }),
           screen_error_case("culling_welded", {"11.R.4-19"}, "The same with WELD_ARK.",
                             "Depths of a culled triangle are used when it shows again.",
-                            [](Test& t) { check_culling(t, true); }),
+                            [](Test& t) { check_culling(t, true, false); }),
           screen_error_case("refused", {"11.R.2-37", "11.R.2-39", "errors-25"},
                             "Numbers and integers out of the range.", "Negative numbers are accepted.", check_refused)};
 }

@@ -171,6 +171,26 @@ void check_feedback_draws(Test& t) {
   for (const CapturedVertex& vertex : vertices) t.expect_equal(vertex.triangle, 0.0F, "the triangle of both draws");
 }
 
+// The whole transform feedback has no refined draw.
+void check_feedback_unrefined(Test& t) {
+  gl.UseProgram(capture_program(t));
+  upload(bent_mesh());
+  refine_uniformly(1);
+  gl.DrawArrays(GL_TRIANGLES, 0, 3);
+  gl.Disable(GL_ARK);
+  for (int again = 0; again < 2; ++again) {
+    const auto vertices = capture(t, [&] {
+      gl.DrawArrays(GL_TRIANGLES, 3, 3);
+      gl.PauseTransformFeedback();
+      gl.DrawArrays(GL_TRIANGLES, 0, 3);
+      gl.ResumeTransformFeedback();
+      gl.DrawArrays(GL_TRIANGLES, 3, 3);
+    });
+    t.require(vertices.size() == 6, fmt::format("two triangles, none while paused: {} vertices", vertices.size()));
+    for (const CapturedVertex& vertex : vertices) t.expect_equal(vertex.triangle, 1.0F, "the triangle of both draws");
+  }
+}
+
 void check_feedback_disabled(Test& t) {
   gl.UseProgram(capture_program(t));
   upload(bent_mesh());
@@ -286,6 +306,9 @@ Cases after_vertex_stage_cases() {
       after_case("feedback.disabled", {"chapter-14-5"},
                  "ARK is disabled between two draws into one transform feedback.", "The second draw is lost.",
                  check_feedback_disabled),
+      after_case("feedback.unrefined", {"chapter-14-1"},
+                 "Refine a draw, disable ARK, and capture unrefined draws with a pause between them.",
+                 "The draw during the pause is captured.", check_feedback_unrefined),
       after_case("feedback.order", {"chapter-14-7"}, "20 coarse triangles at a uniform depth of 3 keep their order.",
                  "Sorted.", check_feedback_order),
       after_case("feedback.separate", {"chapter-14-5"}, "Two varyings into two buffers.",

@@ -108,12 +108,29 @@ void expect_as_unrefined(Test& t, const Picture& plain, const std::string& what)
   for (int again = 0; again < 3; ++again) t.expect_same_picture(picture_of(triangle), plain, what, 3, 24);
 }
 
-void check_change(Test& t, const Change& change) {
+enum class Way { by_call, by_list, by_pop };
+
+// By PopAttrib, the state changes back to what it was before.
+void check_change(Test& t, const Change& change, Way way) {
   change.set_up();
+  if (way == Way::by_pop) {
+    gl.PushAttrib(GL_ALL_ATTRIB_BITS);
+    change.change();
+  }
   const Picture before = picture_of(triangle);
   refine_uniformly(3, GL_LINEAR_OUTPUTS_ARK);
   expect_as_unrefined(t, before, "before the change");
-  change.change();
+  if (way == Way::by_list) {
+    gl.NewList(1, GL_COMPILE);
+    change.change();
+    gl.EndList();
+    expect_as_unrefined(t, before, "after the list was compiled");
+  }
+  switch (way) {
+    case Way::by_call: change.change(); break;
+    case Way::by_list: gl.CallList(1); break;
+    case Way::by_pop: gl.PopAttrib(); gl.Enable(GL_ARK);
+  }
   gl.Disable(GL_ARK);
   const Picture after = picture_of(triangle);
   gl.Enable(GL_ARK);
@@ -154,6 +171,31 @@ void check_list_uniforms(Test& t) {
   t.expect_no_error("the lists");
 }
 
+// The list was compiled before the program used the extension.
+void check_early_list(Test& t) {
+  const GLuint program = build_program(t, {.vertex = "uniform vec4 tint; out vec4 colour;\n"
+                                                     "void main() { colour = tint; gl_Position = gl_Vertex; }\n"});
+  const GLint tint = gl.GetUniformLocation(program, "tint");
+  gl.UseProgram(program);
+  gl.NewList(1, GL_COMPILE);
+  gl.Uniform4f(tint, 0, 0.5F, 1, 1);
+  gl.EndList();
+  gl.NewList(2, GL_COMPILE);
+  gl.CallList(1);
+  gl.EndList();
+  gl.Uniform4f(tint, 0, 0.5F, 1, 1);
+  const Picture plain = picture_of(triangle);
+  refine_uniformly(2);
+  for (const GLuint list : {1U, 2U})
+    for (int again = 0; again < 3; ++again) {
+      gl.Uniform4f(tint, 1, 0, 0, 1);
+      t.expect(count_different(picture_of(triangle), plain, 8) > 100, "the other uniform shows");
+      gl.CallList(list);
+      t.expect_same_picture(picture_of(triangle), plain, "the uniform that the list sets", 2, 20);
+    }
+  t.expect_no_error("the lists");
+}
+
 // Materials among the vertices of a list stay current after every call.
 void check_list_materials(Test& t) {
   const GLfloat red[] = {1, 0, 0, 1};
@@ -190,12 +232,26 @@ constexpr Area change_case{"ark.fixed_function.changed."};
 
 Cases fixed_function_changes_cases() {
   Cases cases;
-  for (const Change& change : changes)
+  const char* const old_state = "The vertex stage reads the state of the first refined draw.";
+  for (const Change& change : changes) {
     cases.push_back(change_case(
         change.leaf, {"11.R.10-1", "11.R.6-8"},
-        "Draw refined, change only this state, and draw again: refined outputs give the unrefined picture.",
-        "The vertex stage reads the state of the first refined draw.", [change](Test& t) { check_change(t, change); },
-        compat_only));
+        "Draw refined, change only this state, and draw again: refined outputs give the unrefined picture.", old_state,
+        [change](Test& t) { check_change(t, change, Way::by_call); }, compat_only));
+    cases.push_back(change_case(
+        std::string(change.leaf) + ".by_list", {"11.R.10-1", "chapter-21-4"},
+        "The same, but a display list changes the state.", old_state,
+        [change](Test& t) { check_change(t, change, Way::by_list); }, compat_only));
+    // PopAttrib restores no matrix, and in Mesa 22.3 not the source of fog coordinates.
+    if (change.leaf == std::string("texture_matrix") || change.leaf == std::string("fog_source")) continue;
+    cases.push_back(change_case(
+        std::string(change.leaf) + ".by_pop", {"11.R.10-1", "11.R.6-8"},
+        "The same, but PopAttrib changes the state back.", old_state,
+        [change](Test& t) { check_change(t, change, Way::by_pop); }, compat_only));
+  }
+  cases.push_back(change_case("early_list", {"11.R.10-1", "chapter-21-4"},
+                              "A list that sets a uniform is compiled before ARKinit, and called after it.",
+                              "The value that was set outside the list.", check_early_list, compat_only));
   cases.push_back(change_case("list_uniforms", {"11.R.10-1", "chapter-21-4"},
                               "Call lists that set a uniform of the program in use, with and without vertices.",
                               "The value that was set outside the list.", check_list_uniforms, compat_only));

@@ -31,7 +31,8 @@ std::vector<Version> versions() {
   return all;
 }
 
-GLuint version_program(Test& t, const Version& version) {
+// `statements` are the last ones of the vertex shader.
+GLuint version_program(Test& t, const Version& version, const std::string& statements = {}) {
   const std::string head = fmt::format("#version {}{}\n{}", version.number, version.profile,
                                        (version.api == Api::gles ? "precision highp float;\n" : ""));
   const std::string in = version.has_in_out ? "in" : "attribute";
@@ -43,7 +44,8 @@ GLuint version_program(Test& t, const Version& version) {
       " float triangle_out; " + out + " vec2 texture_out; " + out +
       " vec4 colour;\nvoid main() { gl_Position = position; normal_out = normal; weights_out = weights;\n"
       "  triangle_out = triangle; texture_out = texcoord;\n"
-      "  colour = tint * vec4(weights.x * weights.x, weights.y * weights.y, weights.z * weights.z, 1.0); }\n";
+      "  colour = tint * vec4(weights.x * weights.x, weights.y * weights.y, weights.z * weights.z, 1.0);\n" +
+      statements + "}\n";
   sources.fragment = head + (version.has_in_out ? "in vec4 colour; out vec4 pixel; void main() { pixel = colour; }\n"
                                                 : "varying vec4 colour; void main() { gl_FragColor = colour; }\n");
   sources.captured = {"gl_Position", "normal_out", "weights_out", "triangle_out", "texture_out"};
@@ -112,6 +114,20 @@ void check_curved(Test& t, const Version& version) {
   expect_surface(t, capture_surface(t, mesh), mesh, {}, reference::curved_pn);
 }
 
+// Later versions reserve these words. An implementation may use them in its additions, by an extension.
+void check_later_words(Test& t, const Version& version) {
+  version_program(t, version,
+                  "  float precise = 0.5; float sample = 2.0; float patch = 1.0; float buffer = 1.0;\n"
+                  "  colour *= precise * sample * patch * buffer;\n");
+  const Mesh mesh = bent_mesh();
+  upload(mesh);
+  const Picture plain = picture_of(6);
+  refine_uniformly(2, GL_LINEAR_OUTPUTS_ARK);
+  t.expect_same_picture(picture_of(6), plain, "refined outputs give the unrefined picture", 2, 16);
+  refine_uniformly(2, GL_CURVED_PN_ARK);
+  expect_surface(t, capture_surface(t, mesh), mesh, {}, reference::curved_pn);
+}
+
 Case version_case(const Version& version, const char* leaf, std::vector<std::string> clauses,
                   void (*check)(Test&, const Version&)) {
   std::string name = fmt::format("ark.glsl.{}_{}.{}", name_of(version.api), version.number, leaf);
@@ -133,6 +149,8 @@ Cases glsl_versions_cases() {
     cases.push_back(version_case(version, "outputs", {"11.R.6-8", "11.R.6-14"}, check_outputs));
     cases.push_back(version_case(version, "inputs", {"11.R.6-4", "11.R.10-1"}, check_inputs));
     cases.push_back(version_case(version, "curved", {"11.R.7-1"}, check_curved));
+    if (version.api != Api::gles && version.number < 400)
+      cases.push_back(version_case(version, "later_words", {"11.R.7-1", "11.R.6-8"}, check_later_words));
   }
   return cases;
 }

@@ -3,6 +3,8 @@
 //
 // Indirect inputs of a vertex stage: set by another context, through a program pipeline, by subroutines, or by commands
 // that read the same bytes in different ways.
+#include <array>
+
 #include "conformance/cases/cases.h"
 #include "conformance/support/capture.h"
 
@@ -90,6 +92,7 @@ void check_subroutines(Test& t) {
   for (const char* const name : names) {
     choose(name);
     plain.push_back(picture_of(draw));
+    t.expect(plain.size() < 2 || count_different(plain[plain.size() - 2], plain.back(), 8) > 100, "the choice shows");
   }
   for (int round = 0; round < 2; ++round)
     for (std::size_t i = 0; i < plain.size(); ++i) {
@@ -99,6 +102,44 @@ void check_subroutines(Test& t) {
       gl.Disable(GL_ARK);
       t.expect_same_picture(picture_of(draw), plain[i], std::string(names[i]) + ", unrefined after it");
     }
+  t.expect_no_error("the draws");
+}
+
+// An array of subroutine uniforms has a location for each element.
+void check_subroutine_arrays(Test& t) {
+  const GLuint program = build_program(
+      t, {.vertex = "subroutine vec4 Tint(vec4 c); subroutine uniform Tint one; subroutine uniform Tint tints[2];\n"
+                    "subroutine(Tint) vec4 kept(vec4 c) { return c; }\n"
+                    "subroutine(Tint) vec4 swapped(vec4 c) { return c.gbra; }\n"
+                    "subroutine(Tint) vec4 turned(vec4 c) { return vec4(1.0 - c.rgb, 1.0); }\n"
+                    "layout(location = 0) in vec4 position; layout(location = 3) in vec4 c; out vec4 colour;\n"
+                    "void main() { colour = vec4(one(c).r, tints[0](c).g, tints[1](c).b, 1.0);\n"
+                    "  gl_Position = position; }\n"});
+  gl.UseProgram(program);
+  upload(one_triangle());
+  GLint locations = 0;
+  gl.GetProgramStageiv(program, GL_VERTEX_SHADER, GL_ACTIVE_SUBROUTINE_UNIFORM_LOCATIONS, &locations);
+  t.require(locations == 3, "three locations");
+  const char* const names[] = {"kept", "swapped", "turned"};
+  std::vector<Picture> pictures;
+  for (std::size_t turn = 0; turn < 6; ++turn) {
+    std::array<GLuint, 3> chosen{};
+    std::size_t place = 0;
+    for (const char* const uniform : {"one", "tints[0]", "tints[1]"}) {
+      const GLint location = gl.GetSubroutineUniformLocation(program, GL_VERTEX_SHADER, uniform);
+      t.require(location >= 0 && location < 3, std::string("the location of ") + uniform);
+      const char* const name = names[(place++ * (1 + turn / 3) + turn) % 3];
+      chosen[static_cast<std::size_t>(location)] = gl.GetSubroutineIndex(program, GL_VERTEX_SHADER, name);
+    }
+    gl.UniformSubroutinesuiv(GL_VERTEX_SHADER, 3, chosen.data());
+    const Picture plain = picture_of(draw);
+    refine_uniformly(2);
+    for (int again = 0; again < 2; ++again)
+      t.expect_same_picture(picture_of(draw), plain, "choice " + as_text(turn), 2, 20);
+    gl.Disable(GL_ARK);
+    pictures.push_back(plain);
+    t.expect(turn == 0 || count_different(pictures[turn - 1], plain, 8) > 100, "choice " + as_text(turn) + " shows");
+  }
   t.expect_no_error("the draws");
 }
 
@@ -158,7 +199,10 @@ Cases indirect_inputs_cases() {
                  "The value of the first refined draw.", check_pipeline_uniforms),
       stage_case("subroutines", {"11.R.10-1", "10.R.2-6"},
                  "Choose subroutines, and draw refined and unrefined in turn.",
-                 "A refined draw leaves the program's initial subroutines.", check_subroutines, desktop_apis)};
+                 "A refined draw leaves the program's initial subroutines.", check_subroutines, desktop_apis),
+      stage_case("subroutine_arrays", {"11.R.10-1", "10.R.2-6"},
+                 "Choose subroutines for the elements of an array, and draw refined and unrefined in turn.",
+                 "The elements have the subroutines of the first one.", check_subroutine_arrays, desktop_apis)};
   cases.push_back(Area{"ark.stage."}(
       "source_not_compiled", {"11.R.10-1"}, "Give the vertex shader another source after compiling it, then link.",
       "The refined draw uses the source that was never compiled.", check_source_not_compiled));

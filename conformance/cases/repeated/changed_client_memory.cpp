@@ -261,6 +261,38 @@ void check_arrays(Test& t, Gone how, bool is_uniform) {
       "the first colour");
 }
 
+// One array is in memory and the other one in a buffer.
+void check_one_array(Test& t, bool are_positions, bool is_generic) {
+  gl.UseProgram(is_generic ? colour_program(t) : 0);
+  Memory memory;
+  point_at(memory, false, is_generic);
+  GLuint buffer = 0;
+  gl.GenBuffers(1, &buffer);
+  gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
+  if (are_positions) {
+    gl.BufferData(GL_ARRAY_BUFFER, sizeof(memory.colours), memory.colours.data(), GL_STATIC_DRAW);
+    is_generic ? gl.VertexAttribPointer(at_colour, 3, GL_UNSIGNED_BYTE, GL_TRUE, 0, nullptr)
+               : gl.ColorPointer(3, GL_UNSIGNED_BYTE, 0, nullptr);
+  } else {
+    gl.BufferData(GL_ARRAY_BUFFER, sizeof(memory.positions), memory.positions.data(), GL_STATIC_DRAW);
+    is_generic ? gl.VertexAttribPointer(at_position, 3, GL_FLOAT, GL_FALSE, 0, nullptr)
+               : gl.VertexPointer(3, GL_FLOAT, 0, nullptr);
+  }
+  const Draw draw = [] { gl.DrawArrays(GL_TRIANGLES, 3, 6); };
+  for (const bool is_uniform : {true, false}) {
+    is_uniform ? refine_uniformly(2) : refine_by_tags(3);
+    gl.DepthTag1i(2);
+    for (const std::size_t i : {8U, 3U})
+      expect_change(
+          t, draw,
+          [&] {
+            if (are_positions) memory.positions[i][1] *= 0.4F;
+            memory.colours[i] = {static_cast<GLubyte>(is_uniform ? 255 : 0), 0, 255};
+          },
+          "vertex " + as_text(i) + (is_uniform ? "" : ", by tags"), 150);
+  }
+}
+
 constexpr Area memory_case{.prefix = "ark.draw.again.memory.", .apis = client_apis};
 
 }  // namespace
@@ -277,6 +309,13 @@ Cases changed_client_memory_cases() {
             "Repeat a draw from the application's memory, change one component or one index there, and repeat it.",
             wrong, [&command, is_mixed, is_generic](Test& t) { check_memory(t, command, is_mixed, is_generic); },
             is_generic ? command.apis : compat_only));
+  for (const bool is_generic : {true, false})
+    for (const bool are_positions : {true, false})
+      cases.push_back(memory_case(
+          std::string(is_generic ? "" : "conventional.") + (are_positions ? "positions_alone" : "colours_alone"),
+          {"10.R.2-1", "11.R.13-1"}, "Repeat a draw with one array in memory and one in a buffer. Change the former.",
+          wrong, [=](Test& t) { check_one_array(t, are_positions, is_generic); },
+          is_generic ? client_apis : compat_only));
   for (const GLsizei stride : {0, 5})
     for (const bool has_elements : {false, true})
       cases.push_back(memory_case(

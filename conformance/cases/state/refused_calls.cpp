@@ -164,6 +164,51 @@ void check_bindings(Test& t) {
 
 GLuint triangles_of_draw() { return count_generated(draw_one); }
 
+struct WrongValue {
+  const char* name;
+  std::function<void()> call;
+  GLenum state;  // of up to four integers
+  Apis apis = every_api;
+};
+
+// Each call has a value that the command does not know, beside one that it knows.
+void check_values(Test& t) {
+  const WrongValue calls[] = {
+      {"CullFace", [] { gl.CullFace(GL_LEFT); }, GL_CULL_FACE_MODE},
+      {"FrontFace", [] { gl.FrontFace(GL_FRONT); }, GL_FRONT_FACE},
+      {"PolygonMode of an unknown face", [] { gl.PolygonMode(GL_LEFT, GL_LINE); }, GL_POLYGON_MODE, desktop_apis},
+      {"PolygonMode of an unknown mode", [] { gl.PolygonMode(GL_FRONT_AND_BACK, GL_FLAT); }, GL_POLYGON_MODE,
+       desktop_apis},
+      {"PolygonMode of one face", [] { gl.PolygonMode(GL_FRONT, GL_LINE); }, GL_POLYGON_MODE, {Api::gl_core}},
+      {"DepthFunc", [] { gl.DepthFunc(GL_ONE); }, GL_DEPTH_FUNC},
+      {"ProvokingVertex", [] { gl.ProvokingVertex(GL_FRONT); }, GL_PROVOKING_VERTEX, desktop_apis},
+      {"ShadeModel", [] { gl.ShadeModel(GL_FILL); }, GL_SHADE_MODEL, compat_only},
+      {"MatrixMode", [] { gl.MatrixMode(GL_MODELVIEW_MATRIX); }, GL_MATRIX_MODE, compat_only},
+      {"Viewport", [] { gl.Viewport(0, 0, -1, 8); }, GL_VIEWPORT},
+      {"Enable", [] { gl.Enable(GL_FRONT); }, GL_BLEND},
+      {"UseProgram", [] { gl.UseProgram(99999); }, GL_CURRENT_PROGRAM},
+      {"BindVertexArray", [] { gl.BindVertexArray(99999); }, GL_VERTEX_ARRAY_BINDING},
+      {"BindFramebuffer", [] { gl.BindFramebuffer(GL_TEXTURE_2D, 0); }, GL_DRAW_FRAMEBUFFER_BINDING},
+  };
+  gl.UseProgram(colour_program(t));
+  upload(one_triangle({level, level, level}));
+  const Picture plain = picture_of(draw_one);
+  for (const bool by_tags : {false, true}) {
+    by_tags ? refine_by_tags(4) : refine_uniformly(level);
+    for (const WrongValue& wrong : calls) {
+      if (!wrong.apis.contains(t.api())) continue;
+      const std::string what = std::string(wrong.name) + (by_tags ? ", by tags" : "");
+      const auto before = values_of(wrong.state);
+      wrong.call();
+      t.expect(gl.GetError() != GL_NO_ERROR, what + " raises an error");
+      t.expect_same_picture(picture_of(draw_one), plain, "after " + what, 2, 20);
+      t.expect_equal(triangles_of_draw(), refined_triangles, "triangles after " + what);
+      t.expect(values_of(wrong.state) == before, what + " changes no state");
+      t.expect_no_error("the draws after " + what);
+    }
+  }
+}
+
 // A mesh that no draw has captured before.
 GLuint triangles_of_new_mesh() {
   upload(one_triangle());
@@ -234,6 +279,9 @@ Cases refused_calls_cases() {
       refused_case("queries", {"chapter-14-8", "chapter-14-9"},
                    "Begin queries that GL refuses, and delete an active one. Then count the triangles of draws.",
                    "Later queries count what the implementation captures.", check_queries),
+      refused_case("values", {"10.R.2-6", "10.R.2-13"},
+                   "Call commands with values that GL refuses, draw, and read the state.",
+                   "The draw has the refused state, or the state has it after the draw.", check_values),
       refused_case("viewport", {"11.R.4-4"}, "A viewport of four times the size that GL has, with depths by pixels.",
                    "The size before GL clamps it.", check_viewport)};
   for (const bool is_refined : {true, false})
