@@ -52,12 +52,16 @@ def matching(mutants: list, globs: list) -> list:
 
 
 def read_reaches(path: pathlib.Path, digest: str) -> list:
-    """What an earlier run of this library has found out. The first line says which library it was."""
+    """What an earlier run of this library and suite has found out. The first line says which they were."""
     lines = path.read_text().splitlines() if path.is_file() else []
     if not lines or lines[0] != digest:
         path.write_text(digest + "\n")
         return []
     return [reach_of(line) for line in lines[1:]]
+
+
+def digest_of(*paths: pathlib.Path) -> str:
+    return hashlib.sha256(b"".join(path.read_bytes() for path in paths)).hexdigest()
 
 
 def groups_of(pairs: list, size: int) -> list:
@@ -71,9 +75,9 @@ def groups_of(pairs: list, size: int) -> list:
 
 
 def reach_all(laboratory: Laboratory, apis: list, jobs: int, size: int) -> list:
-    """Runs each case once with the true implementation, unless this library's file of reaches has it already."""
+    """Runs each case once with the true implementation, unless the file of reaches has it already."""
     path = laboratory.folder / "reached.jsonl"
-    reaches = read_reaches(path, hashlib.sha256(laboratory.library.read_bytes()).hexdigest())
+    reaches = read_reaches(path, digest_of(laboratory.library, laboratory.suite))
     known = {(reach.api, reach.case) for reach in reaches}
     missing = [(api, case) for api in apis for case in laboratory.cases(api) if (api, case) not in known]
     say(f"{len(known)} cases: it is known which mutants they reach; {len(missing)} cases to run")

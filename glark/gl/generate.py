@@ -23,12 +23,12 @@ HEADER = """\
 # A function that looks like a draw must be classed by its full name, so that no future registry adds a draw unnoticed.
 DRAW_PATTERNS = ["glDraw*", "glMultiDraw*", "glMultiMode*", "glBegin", "glEnd", "glRect*", "glEval*", "glArrayElement*", "glCallList*"]
 
-CLASSES = {"draw", "track", "uniform", "count", "count_unseen", "attribute", "opaque", "write_target", "write_buffer", "write_pack",
+CLASSES = {"draw", "track", "track_outside", "uniform", "count", "count_unseen", "attribute", "opaque", "write_target", "write_buffer", "write_pack",
            "write_gpu", "gpu_may_write", "external_target", "external_buffer", "array", "touch_vertex_array",
            "touch_framebuffer", "touch_fixed_function", "touch_matrices", "touch_any_matrix",
            "touch_assembly", "texture_target", "texture_object", "texture_any", "texture_bind", "texture_attached",
            "texture_deleted", "texture_unseen", "textures_unseen", "hand", "pass", "extra"}
-HOOKED = {"draw", "track", "array", "api"}
+HOOKED = {"draw", "track", "track_outside", "array", "api"}
 # Class -> what is called on the context after the real function, and the names of the parameter that it gets: the first
 # of them that the function has.
 TOUCH_CALLS = {
@@ -242,9 +242,9 @@ def hooks_header(hooked, kinds):
     lines = [HEADER, "#pragma once\n\n#include \"glark/gl/types.h\"\n\nnamespace glark::core {\n\nclass Context;\n\n"
              "// A hook replaces a GL function. It calls the real function itself, through its context's dispatch.\n"
              "namespace hook {\n"]
-    titles = {"track": "State that a refined draw needs.", "draw": "Draws; called only while the context is refining.", "array": "Vertex arrays; only while the context is refining.",
+    titles = {"track": "State that a refined draw needs.", "track_outside": "The same; never called between glBegin and glEnd.", "draw": "Draws; called only while the context is refining.", "array": "Vertex arrays; only while the context is refining.",
               "api": "GL_ARK_adaptive_refinement."}
-    for kind in ("track", "draw", "array", "api"):
+    for kind in ("track", "track_outside", "draw", "array", "api"):
         lines.append(f"// {titles[kind]}")
         for c in hooked:
             if kinds[c.name] == kind:
@@ -261,8 +261,11 @@ def wrapper_body(command, kind):
     pass_on = f"{{ {real}; return; }}" if c.is_void() else f"return {real};"
     if kind == "track":
         return [f"if (here.context == nullptr) {pass_on}", f"{'' if c.is_void() else 'return '}{hook};"]
+    refused = "here.context->state().immediate().open()"
+    if kind == "track_outside":
+        return [f"if (here.context == nullptr || {refused}) {pass_on}", f"{'' if c.is_void() else 'return '}{hook};"]
     if kind == "draw":
-        return [f"if (here.context == nullptr || !here.context->refining()) {pass_on}", f"{'' if c.is_void() else 'return '}{hook};"]
+        return [f"if (here.context == nullptr || !here.context->refining() || {refused}) {pass_on}", f"{'' if c.is_void() else 'return '}{hook};"]
     if kind == "api":
         nothing = "return;" if c.is_void() else "return {};"
         return [f"if (here.context == nullptr && !adopt_current_context()) {nothing}", f"{'' if c.is_void() else 'return '}{hook};"]
@@ -356,7 +359,8 @@ def uniform_body(command, real):
         f"  if (location < glark::core::virtual_location_base) {real};",
         "  glark::core::GlState& state = here.context->state();",
         "  if (state.lists().compiling()) { state.lists().note_uniforms(); return; }",
-        "  if (!state.programs().mirroring()) return;",
+        "  if (!state.programs().mirroring() || state.immediate().open()) return;",
+        "  state.refresh();  // a list may have used another program",
         f"  for (const glark::core::UniformMirror& mirror : {mirrors})",
         "    if (const GLint derived = mirror.changed(location); derived >= 0)",
         f"      here.gl->{twin}(mirror.program, derived, {values});",

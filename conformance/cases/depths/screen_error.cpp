@@ -226,12 +226,12 @@ Cases screen_error_cases() {
           screen_error_case("culling", {"11.R.4-19"}, "Repeat a draw often, cull the other side, and repeat it.",
                             "Depths of a culled triangle are used when it shows again.",
                             [](Test& t) { check_culling(t, false, false); }),
-          screen_error_case("culling_reversed", {"11.R.4-19"}, "The same, but the triangle shows its back.",
-                            "The side that was culled first counts as culled.",
-                            [](Test& t) { check_culling(t, false, true); }),
           screen_error_case("culling_welded", {"11.R.4-19"}, "The same with WELD_ARK.",
                             "Depths of a culled triangle are used when it shows again.",
                             [](Test& t) { check_culling(t, true, false); }),
+          screen_error_case("culling_reversed", {"11.R.4-19"}, "The same, but the triangle shows its back.",
+                            "The side that was culled first counts as culled.",
+                            [](Test& t) { check_culling(t, true, true); }),
           screen_error_case("refused", {"11.R.2-37", "11.R.2-39", "errors-25"},
                             "Numbers and integers out of the range.", "Negative numbers are accepted.", check_refused)};
 }

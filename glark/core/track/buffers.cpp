@@ -96,9 +96,6 @@ void BindBuffer(Context& c, GLenum target, GLuint buffer) {
     return;
   }
   c.gl().BindBuffer(target, buffer);
-  if (c.state().immediate().open()) {
-    return;  // GL has refused
-  }
   if (GLuint* const tracked = tracked_binding(c, target); tracked != nullptr && has_accepted(c, buffer)) {
     *tracked = buffer;
   }
@@ -110,9 +107,6 @@ void BindBuffer(Context& c, GLenum target, GLuint buffer) {
 
 void BindBufferBase(Context& c, GLenum target, GLuint index, GLuint buffer) {
   c.gl().BindBufferBase(target, index, buffer);
-  if (c.state().immediate().open()) {
-    return;  // GL has refused
-  }
   if (is_index_of(c, target, index) && has_accepted(c, buffer)) {
     *tracked_binding(c, target) = buffer;
     if (target == GL_SHADER_STORAGE_BUFFER && index < tracked_storage_bindings) {

@@ -60,6 +60,9 @@ Commands read_commands(Context& c, const IndirectDraw& call) {
   GLint size = 0;
   if (!in_memory) {
     c.gl().GetBufferParameteriv(GL_DRAW_INDIRECT_BUFFER, GL_BUFFER_SIZE, &size);
+    if (draws > 0 && (draws - 1) * static_cast<std::uint64_t>(stride) > static_cast<std::uint64_t>(size)) {
+      return commands;
+    }
   }
   commands.words.resize(draws * commands.words_each);
   for (std::size_t i = 0; i < draws; ++i) {

@@ -78,6 +78,23 @@ void Programs::adopt(GLuint name) {
 
 void Programs::refresh_mirroring() { mirroring_ = share_.any_derived.load(std::memory_order_relaxed); }
 
+void Programs::uniforms_changed_unseen() {
+  if (!share_.any_derived.load(std::memory_order_relaxed)) {
+    return;
+  }
+  std::vector<std::shared_ptr<Program>> programs;  // a program's mutex may not be taken while the group's is held
+  {
+    const std::lock_guard lock(share_.mutex);
+    for (const auto& [name, program] : share_.programs) {
+      programs.push_back(program);
+    }
+  }
+  for (const std::shared_ptr<Program>& program : programs) {
+    const std::lock_guard lock(program->mutex);
+    program->uniforms_stale = true;
+  }
+}
+
 void Programs::mirror_from_now_on() {
   if (share_.any_derived.exchange(true)) {
     return;

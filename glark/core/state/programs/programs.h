@@ -69,6 +69,8 @@ class Programs {
   // glUniformHandleui64: programs that are derived later get the handles, too.
   void set_handles(const Bindings& bindings, GLint location, GLsizei count, const GLuint64* values);
   void set_handles(const Bindings& bindings, GLuint program, GLint location, GLsizei count, const GLuint64* values);
+  // A display list has set uniforms, of the program in use or of another one.
+  void uniforms_changed_unseen();
   // From the first derived program on, every context of the share group mirrors uniforms.
   void mirror_from_now_on();
 

@@ -112,7 +112,7 @@ void forget_state(Context& c, const DisplayList* list) {
   c.changes().touch_any_matrix();
   c.state().arrays().forget_current_values();
   if (list == nullptr || list->changes_uniforms) {
-    forget_uniforms(c);
+    c.state().programs().uniforms_changed_unseen();
   }
 }
 

@@ -65,6 +65,12 @@ GLenum issue(Context& c, const DrawCall& call) {
   return errors.take();
 }
 
+// Any generic attribute may be the one of the tags, and glArrayElement may read it from its array.
+bool may_set_tags(const SegmentEffects& effects) {
+  constexpr std::uint64_t generic = (std::uint64_t{1} << generic_slots) - 1;
+  return effects.opaque || (effects.set & generic) != 0;
+}
+
 // The draw of the glBegin..glEnd that has just ended.
 ListSegment immediate_segment(Context& c) {
   const ListCompilation& lists = c.state().lists();
@@ -76,14 +82,15 @@ ListSegment immediate_segment(Context& c) {
       lists.effects().late || !lists.primitive().vertex_lists().empty() || !std::has_single_bit(immediate.components());
   const std::uint64_t own = immediate.all_vertices();
   const std::uint64_t vertices = (restarts ? joined * own : own) + (parts && own > 0 ? vertices_of_parts : 0);
-  return {.kind = ListSegment::Kind::draw,
-          .mode = lists.primitive().mode(),
-          .vertices = vertices,
-          .triangles = triangles_of(lists.primitive().mode(), vertices),
-          .exact = !restarts && !parts,
-          .sets_tags = immediate.tags_set() || !lists.primitive().vertex_lists().empty(),
-          .whole_polygons = !restarts && !parts,
-          .vertex_lists = lists.primitive().vertex_lists()};
+  return {
+      .kind = ListSegment::Kind::draw,
+      .mode = lists.primitive().mode(),
+      .vertices = vertices,
+      .triangles = triangles_of(lists.primitive().mode(), vertices),
+      .exact = !restarts && !parts,
+      .sets_tags = immediate.tags_set() || may_set_tags(lists.effects()) || !lists.primitive().vertex_lists().empty(),
+      .whole_polygons = !restarts && !parts,
+      .vertex_lists = lists.primitive().vertex_lists()};
 }
 
 // Replaces the application's list with one that calls the segments, and returns the previous list of this name.

@@ -40,7 +40,5 @@ void run_state(Context& context, const ListSegment& segment);
 void run_draw(Context& context, const ListSegment& segment, std::uint64_t triangles);
 // Applies the effects of a segment's calls to the current values.
 void apply_effects(Context& context, const SegmentEffects& effects);
-// A list has set uniforms of the current program.
-void forget_uniforms(Context& context);
 
 }  // namespace glark::core::track

@@ -42,13 +42,6 @@ void apply_effects(Context& c, const SegmentEffects& effects) {
   }
 }
 
-void forget_uniforms(Context& c) {
-  if (c.state().programs().current() != nullptr) {
-    const std::lock_guard lock(c.state().programs().current()->mutex);
-    c.state().programs().current()->uniforms_stale = c.share().any_derived.load(std::memory_order_relaxed);
-  }
-}
-
 void run_state(Context& c, const ListSegment& segment) {
   if (segment.effects.draws_shapes) {
     track::hand_back_feedback(c);
@@ -65,7 +58,7 @@ void run_state(Context& c, const ListSegment& segment) {
     c.changes().touch_any_matrix();
   }
   if (segment.effects.changes_uniforms) {
-    forget_uniforms(c);
+    c.state().programs().uniforms_changed_unseen();
   }
   apply_effects(c, segment.effects);
 }

@@ -51,7 +51,7 @@ GLuint active_query(Context& c, GLenum target, GLuint index) {
 // Calls `begin`, which begins a query. GL refuses one that is active, or that belongs to another target.
 template <class Begin>
 void begin_query(Context& c, GLenum target, GLuint index, GLuint id, const Begin& begin) {
-  const bool counts = counts_primitives(target) && !c.state().immediate().open();
+  const bool counts = counts_primitives(target);
   const bool was_active = counts && active_query(c, target, index) != 0;
   begin();
   if (!counts || was_active || active_query(c, target, index) != id) {
@@ -96,10 +96,11 @@ void EndQueryIndexed(Context& c, GLenum target, GLuint index) {
   query_ended(c, target, index);
 }
 
-// Deleting a query ends it.
+// Deleting a query ends it. A query of any target may get its name.
 void DeleteQueries(Context& c, GLsizei n, const GLuint* ids) {
   c.gl().DeleteQueries(n, ids);
-  for (GLsizei i = 0; i < n && ids != nullptr && !c.state().immediate().open(); ++i) {
+  for (GLsizei i = 0; i < n && ids != nullptr; ++i) {
+    c.state().query_surplus().forget(ids[i]);
     for (const GLenum target : {GL_PRIMITIVES_GENERATED, GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN}) {
       if (const GLuint* slot = triangle_query(c, target, 0); ids[i] != 0 && *slot == ids[i]) {
         query_ended(c, target, 0);
