@@ -194,15 +194,35 @@ bool is_mean_of_crease(float out_of_face, float in_face) {
   return size > 0.0 && 1.0 - 2.0 * square / size > crease_cosine;
 }
 
-// A surface that continues smoothly beyond a boundary makes the normals of the boundary lean out of this face, by half of
-// the angle of both faces. Without that, a wall ends here, and another draw may have its lid: the edge must stay on it.
-// Exact normals of a cone lean a little, too, with the square of the angle between its corners.
-bool ends_at(float out_of_face, float in_face, float turn) {
-  const float least_turn = 1.0e-3;  // 2 (1 - cos): shorter edges hardly leave their chord
-  const float least_lean = 0.035;
+struct Ends {
+  vec3 low;
+  vec3 high;
+};
+
+// A surface that continues smoothly beyond a boundary makes the normals of the boundary lean out of this face. Without
+// that, a wall ends here, and another draw may have its lid: the edge must stay on it. Exact normals of a coarse cone lean
+// a little, too, with the square of the angle between its corners.
+bool leans_little(float out_of_face, float in_face, float turn) {
+  const float least_lean = 0.035;  // sine: 2 degrees
   const float lean_of_cone = 0.26;
   float most = max(least_lean, lean_of_cone * turn);
-  return turn > least_turn && in_face * in_face <= most * most * (out_of_face * out_of_face + in_face * in_face);
+  return in_face * in_face <= most * most * (out_of_face * out_of_face + in_face * in_face);
+}
+
+// How much a normal leans along a side of this triangle does not depend on how coarse a cone or a ball is. The more upright
+// side tells: the normals of cylinders and cones do not lean along it, and those of a ball lean alike in the rings on both
+// sides of the boundary. If the third normal is the mean of the others, no side is upright.
+bool may_end_wall(int half_edge, vec3 along, Ends normals) {
+  const float same = 0.9998;         // 1 degree
+  const float upright_lean = 0.02;
+  bool falling = is_falling(half_edge);
+  int third = next_corner(next_corner(half_edge));
+  vec3 from_low = glark_pn_unit(point_of(third) - point_of(falling ? next_corner(half_edge) : half_edge));
+  vec3 from_high = glark_pn_unit(point_of(third) - point_of(falling ? half_edge : next_corner(half_edge)));
+  bool low_is_upright = abs(dot(from_low, along)) <= abs(dot(from_high, along));
+  float lean = low_is_upright ? dot(from_low, normals.low) : dot(from_high, normals.high);
+  vec3 mean = glark_pn_unit(normals.low + normals.high);
+  return abs(lean) <= upright_lean || dot(mean, glark_pn_unit(normal_of(third))) >= same;
 }
 
 // Returns whether a normal leans out of the face of a body by more than a quarter of the angle of a crease. Panels that
@@ -226,14 +246,12 @@ bool is_face_of_body(int half_edge) {
   return (found & bends_beyond) == 0u && (found & has_own_normal) != 0u;
 }
 
-struct Ends {
-  vec3 low;
-  vec3 high;
-};
-
 // Marks the ends of a boundary where it is a crease.
 bvec2 is_crease_of_boundary(int half_edge, vec3 along, vec3 direction, Ends normals) {
+  const float least_turn = 1.0e-3;  // shorter edges hardly leave their chord
   float turn = 2.0 - 2.0 * dot(normals.low, normals.high);
+  bool ends_wall = turn > least_turn && may_end_wall(half_edge, along, normals);
+  bool lean_alike = abs(dot(normals.high - normals.low, direction)) <= 0.01;  // as in each ring of a cone or a ball
   vec3 out_of_face = cross(along, direction);
   vec3 face = face_normal_of(half_edge);
   bvec2 creased = bvec2(false);
@@ -242,7 +260,7 @@ bvec2 is_crease_of_boundary(int half_edge, vec3 along, vec3 direction, Ends norm
     vec3 normal = end == 0 ? normals.low : normals.high;
     float outwards = dot(normal, out_of_face);
     float inwards = dot(normal, direction);
-    creased[end] = is_mean_of_crease(outwards, inwards) || ends_at(outwards, inwards, turn);
+    creased[end] = is_mean_of_crease(outwards, inwards) || (ends_wall && (lean_alike || leans_little(outwards, inwards, turn)));
     leaning[end] = leans_off(normal, face);
   }
   if (!all(creased) && any(leaning) && is_face_of_body(half_edge)) {

@@ -160,6 +160,41 @@ TEST_F(Creases, StripsOfABallStayCurved) {
   }
 }
 
+// Each ring of a ball is a draw of its own, as those of gluSphere are. Coarse rings lean less towards one neighbour than
+// towards the other one, yet both decide alike about their common edges.
+TEST_F(Creases, RingsOfABallMeet) {
+  for (const auto& [slices, stacks] : {std::pair<int, int>{5, 5},
+                                       {6, 6},
+                                       {7, 7},
+                                       {8, 8},
+                                       {12, 24},
+                                       {20, 20},
+                                       {64, 44},
+                                       {64, 45},
+                                       {64, 79},
+                                       {16, 79},
+                                       {12, 90}}) {
+    const float step = 3.14159265F / static_cast<float>(stacks);
+    const auto ring = [&](int i) {
+      const auto low = static_cast<float>(i) * step - 1.57079633F;
+      return weld(zone_of_sphere(slices, low, static_cast<float>(i + 1) * step - 1.57079633F));
+    };
+    WeldedMesh below = ring(1);
+    for (int i = 2; i < stacks - 1; ++i) {
+      const WeldedMesh above = ring(i);
+      int common = 0;
+      for (const WeldedEdge& a : below)
+        for (const WeldedEdge& b : above) {
+          if (!same_bits(a.from, b.to) || !same_bits(a.to, b.from)) continue;
+          ++common;
+          EXPECT_EQ(a.is_straight(), b.is_straight()) << slices << " slices, " << stacks << " stacks, below " << i;
+        }
+      EXPECT_EQ(common, slices);
+      below = above;
+    }
+  }
+}
+
 // Each face is a draw of its own, as where faces have different textures.
 TEST_F(Creases, NormalsOfNoSurfaceBendNothing) { expect_straight(leaning_ring()); }
 
