@@ -31,8 +31,10 @@ struct ShareGroup {
   std::unordered_map<GLuint, std::shared_ptr<DisplayList>> lists;
   ProgramBinaries binaries;
   AssemblyPrograms assembly;
-  std::vector<Programs*> contexts;     // one for each context that lives
-  GLuint next_list_name = 0x60000000;  // for our list segments: far from the names that applications use
+  std::vector<Programs*> contexts;  // one for each context that lives
+  // For our list segments, downwards from the largest name but one: then glGenLists still gives the application the names
+  // that it gives without them. Mesa gives names above the largest one in use, and searches only if there is none.
+  GLuint next_list_name = 0xFFFFFFFE;
   BufferStamps buffers;
   TextureStamps textures;
   std::atomic<std::uint64_t> contexts_made{0};  // so far; gives each context its range of stamps

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A compatibility context and OpenGL ES let programs choose the names of buffers. Such a name is never one of ours.
+// A compatibility context and OpenGL ES let programs choose the names of buffers. Such a name is never one of ours. Nor do
+// names of ours change those that GL gives out for display lists.
 #include <array>
 #include <vector>
 
@@ -85,6 +86,23 @@ TEST_F(ChosenNames, MayBeLarge) {
     glGetBufferParameteriv(GL_UNIFORM_BUFFER, GL_BUFFER_SIZE, &size);
     EXPECT_EQ(size, static_cast<GLint>(sizeof(contents)));
   }
+  EXPECT_EQ(pending_errors(), "");
+}
+
+// Lists with draws are cut into segments, which are lists of ours.
+TEST_F(ChosenNames, ListsHaveTheNamesThatTheyHaveWithoutRefinement) {
+  refine_uniformly(2, GL_LINEAR_OUTPUTS_ARK);
+  for (GLuint expected = 1; expected < 6; ++expected) {
+    const GLuint name = glGenLists(1);
+    EXPECT_EQ(name, expected);
+    glNewList(name, GL_COMPILE);
+    glBegin(GL_TRIANGLES);
+    for (const GLfloat x : {-1.0F, 0.0F, 1.0F}) glVertex2f(x, x * x);
+    glEnd();
+    glEndList();
+    glCallList(name);
+  }
+  EXPECT_EQ(glGenLists(3), 6U);
   EXPECT_EQ(pending_errors(), "");
 }
 

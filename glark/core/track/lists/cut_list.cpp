@@ -18,14 +18,13 @@ namespace {
 // Mesa 22 joins the strips of a list across restarts, by triangles without area: up to four vertices for each restart.
 constexpr std::uint64_t joined = 5;
 
-// A name far from those of applications that number their lists themselves. glGenLists cannot have given it out
-// meanwhile: Mesa continues from the highest name in use.
+// A name far from those of applications that number their lists themselves.
 GLuint new_segment_name(Context& c) {
   const std::lock_guard lock(c.share().mutex);
   while (c.gl().IsList(c.share().next_list_name) != GL_FALSE) {
-    ++c.share().next_list_name;
+    --c.share().next_list_name;
   }
-  return c.share().next_list_name++;
+  return c.share().next_list_name--;
 }
 
 void open_segment(Context& c, GLenum mode) {
