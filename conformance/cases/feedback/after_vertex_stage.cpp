@@ -277,6 +277,37 @@ void check_feedback_mode(Test& t) {
   gl.EndTransformFeedback();
 }
 
+// A geometry shader makes a line, or a point, of each refined triangle.
+void check_other_feedback(Test& t, GLenum mode) {
+  const bool has_lines = mode == GL_LINES;
+  gl.UseProgram(build_program(
+      t, {.vertex = "layout(location = 0) in vec4 position; out vec4 colour;\n"
+                    "void main() { colour = vec4(1.0); gl_Position = position; }\n",
+          .fragment = "out vec4 pixel; void main() { pixel = vec4(1.0); }\n",
+          .geometry = std::string("layout(triangles) in; layout(") + (has_lines ? "line_strip" : "points") +
+                      ", max_vertices = 2) out; in vec4 colour[]; out vec4 captured;\n"
+                      "void main() { for (int i = 0; i < " +
+                      (has_lines ? "2" : "1") +
+                      "; ++i) {\n"
+                      "  captured = colour[i]; gl_Position = gl_in[i].gl_Position; EmitVertex(); } }\n",
+          .captured = {"captured"}}));
+  upload(one_triangle({2, 2, 2}), false);
+  GLuint buffer = 0;
+  gl.GenBuffers(1, &buffer);
+  gl.BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer);
+  gl.BufferData(GL_TRANSFORM_FEEDBACK_BUFFER, 100000, nullptr, GL_STREAM_READ);
+  refine_uniformly(2);
+  for (int again = 0; again < 3; ++again) {
+    const GLuint written = counted(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, [&] {
+      gl.BeginTransformFeedback(mode);
+      gl.DrawArrays(GL_TRIANGLES, 0, 3);
+      gl.EndTransformFeedback();
+    });
+    t.expect_equal(written, 16U, "primitives that a geometry shader makes of refined triangles");
+  }
+  t.expect_no_error("the draws");
+}
+
 constexpr Area after_case{"ark.after_vertex."};
 
 }  // namespace
@@ -313,6 +344,11 @@ Cases after_vertex_stage_cases() {
                  "Sorted.", check_feedback_order),
       after_case("feedback.separate", {"chapter-14-5"}, "Two varyings into two buffers.",
                  "Only the first buffer is written.", check_feedback_separate),
+      after_case("feedback.lines", {"chapter-14-5", "chapter-14-6"},
+                 "A geometry shader makes a line of each refined triangle, which transform feedback captures.",
+                 "The draw is not refined.", [](Test& t) { check_other_feedback(t, GL_LINES); }),
+      after_case("feedback.points", {"chapter-14-5", "chapter-14-6"}, "The same with points.",
+                 "The draw is not refined.", [](Test& t) { check_other_feedback(t, GL_POINTS); }),
       after_case("feedback.mode", {"chapter-14-6"},
                  "Triangles are an error in transform feedback of lines, refined and unrefined; so are lines in "
                  "transform feedback of triangles.",

@@ -177,6 +177,24 @@ void check_uses_of_vertex_shader(Test& t) {
   expect_weights(t, {2, 4, 6}, "a uniform and a function of the vertex shader, a function of its own");
 }
 
+// An implementation may need another program for another source of depths. Elements keep their values there.
+void check_array_elements(Test& t) {
+  const GLuint program = set_up(t, "uniform float s[3]; void refine() { weights = vec3(s[0], s[1], s[2]); }");
+  gl.Uniform1f(locate(t, program, "s[1]"), 2);
+  gl.Uniform1f(locate(t, program, "s[2]"), 4);
+  gl.Uniform1f(locate(t, program, "s"), 1);
+  expect_weights(t, {1, 2, 4}, "elements set one by one");
+  gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_DEPTH_TAG_ARK);
+  gl.DepthTag1i(1);
+  expect_weights(t, {1, 2, 4}, "with another source of depths");
+  const GLfloat values[] = {16, 32};
+  gl.Uniform1fv(locate(t, program, "s[1]"), 2, values);
+  expect_weights(t, {1, 16, 32}, "two elements at once");
+  gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_MEASURED_DEPTH_ARK);
+  gl.ARKParameteriARK(GL_EDGE_PIXELS_ARK, 1);
+  expect_weights(t, {1, 16, 32}, "with measured depths");
+}
+
 std::set<std::string> active_uniforms(GLuint program) {
   GLint count = 0;
   gl.GetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
@@ -315,6 +333,8 @@ Cases refinement_shader_uniforms_cases() {
            "Two uniforms of the same name; a redeclaration is an error; the earlier value is lost.", check_one_uniform),
       look("vertex_shader", {"11.R.9-20"}, "Use a uniform and a function of the vertex shader without declaring them.",
            "The refinement shader is compiled separately.", check_uses_of_vertex_shader),
+      look("array_elements", {"11.R.9-21"}, "Set elements of an array, and change the source of depths in between.",
+           "Elements lose their values.", check_array_elements),
       look("not_active", {"11.R.9-24"}, "Ask for all active uniforms before and after.",
            "The refinement program's uniforms are counted.", check_not_active),
       look("block", {"11.R.9-20"}, "A uniform block with a binding of its own, and a change of its buffer.",

@@ -122,6 +122,120 @@ void control_between(Test& t) {
   }
 }
 
+// Objects and counts that a refused call would end, and a draw that is refused.
+void check_objects(Test& t) {
+  const GLuint program = colour_program(t);
+  gl.UseProgram(program);
+  upload(one_triangle());
+  refine_uniformly(level);
+  gl.NewList(1, GL_COMPILE);
+  coloured_triangle();
+  gl.EndList();
+  GLuint query = 0;
+  gl.GenQueries(1, &query);
+  const GLuint feedback = make_buffer(GL_TRANSFORM_FEEDBACK_BUFFER, 65536);
+  gl.BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, feedback);
+  const RefusedCall calls[] = {
+      {"DeleteProgram", [=] { gl.DeleteProgram(program); }, GL_CURRENT_PROGRAM},
+      {"LinkProgram", [=] { gl.LinkProgram(program); }, GL_CURRENT_PROGRAM},
+      {"DeleteLists", [] { gl.DeleteLists(1, 1); }, GL_LIST_BASE},
+      {"EndQuery", [] { gl.EndQuery(GL_PRIMITIVES_GENERATED); }, GL_CURRENT_PROGRAM},
+      {"DeleteQueries", [=] { gl.DeleteQueries(1, &query); }, GL_CURRENT_PROGRAM},
+      {"BeginTransformFeedback", [] { gl.BeginTransformFeedback(GL_TRIANGLES); }, GL_TRANSFORM_FEEDBACK_ACTIVE},
+      {"EndTransformFeedback", [] { gl.EndTransformFeedback(); }, GL_TRANSFORM_FEEDBACK_ACTIVE},
+      {"DeleteBuffers", [=] { gl.DeleteBuffers(1, &feedback); }, GL_TRANSFORM_FEEDBACK_BUFFER_BINDING},
+      {"DrawArrays", draw_one, GL_CURRENT_PROGRAM},
+      {"PopAttrib", [] { gl.PopAttrib(); }, GL_ATTRIB_STACK_DEPTH},
+      {"PushAttrib", [] { gl.PushAttrib(GL_ENABLE_BIT); }, GL_ATTRIB_STACK_DEPTH},
+  };
+  for (const RefusedCall& refused : calls) {
+    const std::string what = std::string(refused.name) + " between Begin and End";
+    const std::array<GLint, 4> before = values_of(refused.state);
+    gl.BeginQuery(GL_PRIMITIVES_GENERATED, query);
+    gl.Begin(GL_TRIANGLES);
+    for (const MeshVertex& vertex : one_triangle()) gl.Vertex4fv(vertex.position.data());
+    refused.call();
+    gl.End();
+    t.expect_equal(gl.GetError(), GLenum{GL_INVALID_OPERATION}, what);
+    draw_one();
+    gl.CallList(1);
+    gl.EndQuery(GL_PRIMITIVES_GENERATED);
+    GLuint count = 0;
+    gl.GetQueryObjectuiv(query, GL_QUERY_RESULT, &count);
+    t.expect_equal(count, 3 * refined_triangles, "triangles of three draws, after " + what);
+    t.expect(values_of(refused.state) == before, "the state is unchanged after " + what);
+    t.expect_no_error("the draws after " + what);
+  }
+}
+
+// A call of a list between Begin and End may leave the state unknown. The refused draw must not look at it there.
+void check_draw_after_list(Test& t) {
+  const GLuint program = colour_program(t);
+  gl.UseProgram(program);
+  upload(one_triangle());
+  refine_uniformly(level);
+  gl.NewList(1, GL_COMPILE);
+  gl.VertexAttrib4f(at_colour, 1, 0.5F, 0.25F, 1);
+  gl.EndList();
+  const GLubyte indices[] = {0, 1, 2};
+  for (int again = 0; again < 2; ++again) {
+    gl.Begin(GL_TRIANGLES);
+    gl.CallList(1);
+    gl.DrawElements(GL_TRIANGLES, 3, GL_UNSIGNED_BYTE, indices);
+    for (const MeshVertex& vertex : one_triangle()) gl.Vertex4fv(vertex.position.data());
+    gl.End();
+    t.expect_error(GL_INVALID_OPERATION, "the draw");
+    t.expect_equal(values_of(GL_CURRENT_PROGRAM)[0], static_cast<GLint>(program), "the program in use");
+  }
+}
+
+// The name of a vertex array that was deleted while another one was bound.
+void check_deleted_array(Test& t) {
+  gl.UseProgram(colour_program(t));
+  const GLuint deleted = upload(one_triangle()).array;
+  refine_uniformly(level);
+  draw_one();
+  const GLuint bound = upload(one_triangle()).array;
+  draw_one();
+  gl.DeleteVertexArrays(1, &deleted);
+  draw_one();
+  gl.BindVertexArray(deleted);
+  t.expect_error(GL_INVALID_OPERATION, "BindVertexArray of a deleted name");
+  for (int again = 0; again < 3; ++again) {
+    t.expect_equal(count_generated(draw_one), refined_triangles, "triangles after it");
+    t.expect_equal(values_of(GL_VERTEX_ARRAY_BINDING)[0], static_cast<GLint>(bound), "the array after it");
+    t.expect_no_error("the draw after it");
+  }
+}
+
+// A query of samples gets the name of a deleted one that counted triangles.
+void check_reused_query(Test& t) {
+  gl.UseProgram(colour_program(t));
+  upload(one_triangle());
+  refine_uniformly(level);
+  GLuint query = 0;
+  gl.GenQueries(1, &query);
+  gl.BeginQuery(GL_PRIMITIVES_GENERATED, query);
+  for (int i = 0; i < 50; ++i) {
+    upload(one_triangle());
+    draw_one();
+  }
+  gl.EndQuery(GL_PRIMITIVES_GENERATED);
+  gl.DeleteQueries(1, &query);
+  gl.Disable(GL_ARK);
+  GLuint counts[2] = {};
+  GLuint names[2] = {query, 0};
+  gl.GenQueries(1, &names[1]);
+  for (int i = 0; i < 2; ++i) {
+    gl.BeginQuery(GL_SAMPLES_PASSED, names[i]);
+    draw_one();
+    gl.EndQuery(GL_SAMPLES_PASSED);
+    gl.GetQueryObjectuiv(names[i], GL_QUERY_RESULT, &counts[i]);
+  }
+  t.expect(counts[1] > 0, "samples are counted");
+  t.expect_equal(counts[0], counts[1], "samples by the query with the name of the deleted one");
+}
+
 // GL refuses indices beyond its limits, and in core profiles names that it did not give out.
 void check_bindings(Test& t) {
   gl.UseProgram(colour_program(t));
@@ -282,6 +396,19 @@ Cases refused_calls_cases() {
       refused_case("values", {"10.R.2-6", "10.R.2-13"},
                    "Call commands with values that GL refuses, draw, and read the state.",
                    "The draw has the refused state, or the state has it after the draw.", check_values),
+      refused_case("objects", {"10.R.2-6", "10.R.2-13", "chapter-14-8"},
+                   "Delete objects and end counts between Begin and End, where GL refuses it. Then draw.",
+                   "The object is no longer refined, or the count goes on without the implementation.", check_objects,
+                   compat_only),
+      refused_case("draw_after_list", {"10.R.2-6"},
+                   "Between Begin and End, call a list and then DrawElements. Then read the program in use.",
+                   "No program is in use.", check_draw_after_list, compat_only),
+      refused_case("deleted_array", {"10.R.2-6", "10.R.2-13"},
+                   "Bind the name of a deleted vertex array, which GL refuses. Draw, and read the binding.",
+                   "The draw raises an error, or binds an array of the implementation.", check_deleted_array),
+      refused_case("reused_query", {"chapter-14-9"},
+                   "Count triangles, delete the query, and count samples by a query with its name.",
+                   "What the implementation captured is subtracted from the samples.", check_reused_query, compat_only),
       refused_case("viewport", {"11.R.4-4"}, "A viewport of four times the size that GL has, with depths by pixels.",
                    "The size before GL clamps it.", check_viewport)};
   for (const bool is_refined : {true, false})
