@@ -236,4 +236,19 @@ MET_LAST = [
     scene("vispy", "python3-vispy"),
 ]
 
-PROGRAMS = [*TOOLKITS, *DESKTOP, *MORE, *GAMES, *SAVERS, *SHOOTERS, *LAST_MET, *MET_AFTERWARDS, *LAST_SAVERS, *MET_LAST]
+# Those of the last round that need no files of ours.
+MET_FIFTH = [
+    *(qt3d(name) for name in ("simple-cpp", "multiviewport", "wireframe", "3d-text", "lights", "phong-cubes", "anaglyph-rendering", "controls",
+                              "scene3d", "qardboard")),
+    Stranger("evolver", "viewer", ("evolver-ogl", "evolver-doc"), ["/bin/sh", "-c", "(sleep 2; echo s; echo q; while sleep .2; do echo 'g 1'; done) |"
+             " exec /usr/bin/evolver-ogl-d /usr/share/doc/evolver/examples/cube.fe"], seconds=12, frames=80, keys=DRAG),
+    Stranger("opencity", "game, in play", ("opencity",), ["/usr/games/opencity", "-na", "--generator-map", "1"], seconds=20, frames=80, keys=DRAG),
+    Stranger("colobot", "game, in play", ("colobot",), ["/usr/games/colobot", "-runscene", "missions101", "-resolution", "400x300"], seconds=45, frames=80),
+    Stranger("shelxle", "viewer", ("shelxle", "drawxtl"), ["/usr/bin/shelxle", "/usr/share/doc/drawxtl/examples/ags4.res"], seconds=12, frames=80, keys=DRAG),
+    Stranger("ghemical", "viewer", ("ghemical",), ["/usr/bin/ghemical", "-f", "/usr/share/doc/ghemical/examples/camphor.gpr"], seconds=12, frames=80,
+             keys=DRAG),
+    Stranger("scorched3d", "game, in play", ("scorched3d",), ["/usr/games/scorched3dc", "-startclient",
+             "/usr/share/games/scorched3d/data/singletutorial.xml"], seconds=45, frames=80),
+]
+
+PROGRAMS = [*TOOLKITS, *DESKTOP, *MORE, *GAMES, *SAVERS, *SHOOTERS, *LAST_MET, *MET_AFTERWARDS, *LAST_SAVERS, *MET_LAST, *MET_FIFTH]
