@@ -17,7 +17,7 @@ class LargeNames {
   GLuint take() {
     const std::lock_guard lock(mutex_);
     if (free_.empty()) {
-      return next_++;
+      return next_--;
     }
     const GLuint name = free_.back();
     free_.pop_back();
@@ -29,14 +29,15 @@ class LargeNames {
     free_.push_back(name);
   }
 
-  // Above what programs choose, and no larger: then glGenBuffers gives the application names above the largest one in
-  // use (Mesa), and some programs keep names in 16 bits.
-  static constexpr GLuint first = 1U << 14U;
+  // Downwards from the largest name but one: glGenBuffers still gives the application the names that it gives without
+  // ours, and never one of these. Mesa gives names above the largest one in use, and searches only if there is none.
+  static constexpr GLuint last = 0xFFFFFFFE;
+  static constexpr GLuint least = 0x80000000;
 
  private:
   std::mutex mutex_;
   std::vector<GLuint> free_;
-  GLuint next_ = first;
+  GLuint next_ = last;
 };
 
 LargeNames& large_names() {
@@ -69,7 +70,7 @@ GLuint bind_new_buffer(const gl::Dispatch& gl) {
 
 void delete_buffer(const gl::Dispatch& gl, GLuint name) {
   gl.DeleteBuffers(1, &name);
-  if (name >= LargeNames::first) {
+  if (name >= LargeNames::least) {
     large_names().give_back(name);
   }
 }
