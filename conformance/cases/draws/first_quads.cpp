@@ -3,6 +3,7 @@
 //
 // The first draws of a context with quads and polygons. An implementation may have to find out how GL divides them.
 #include "conformance/cases/cases.h"
+#include "conformance/support/counted.h"
 #include "conformance/support/refined_draw.h"
 #include "conformance/support/state.h"
 

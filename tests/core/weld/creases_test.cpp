@@ -175,9 +175,9 @@ TEST_F(Creases, RingsOfABallMeet) {
                                        {16, 79},
                                        {12, 90}}) {
     const float step = 3.14159265F / static_cast<float>(stacks);
-    const auto ring = [&](int i) {
+    const auto ring = [&, sides = slices](int i) {
       const auto low = static_cast<float>(i) * step - 1.57079633F;
-      return weld(zone_of_sphere(slices, low, static_cast<float>(i + 1) * step - 1.57079633F));
+      return weld(zone_of_sphere(sides, low, static_cast<float>(i + 1) * step - 1.57079633F));
     };
     WeldedMesh below = ring(1);
     for (int i = 2; i < stacks - 1; ++i) {
