@@ -11,11 +11,16 @@
 namespace glark::core {
 namespace {
 
-// Of all contexts: two share groups never have the same name, which costs nothing.
+// The largest name in each share group is one of ours: then glGenBuffers still gives the application the names that it
+// gives without ours, and never one of these. Mesa gives names above the largest one in use, and searches only if there
+// is none.
+constexpr GLuint largest = 0xFFFFFFFE;
+constexpr GLuint least = 0x80000000;
+
+// The other names, downwards. Two share groups never have the same one.
 class LargeNames {
  public:
   GLuint take() {
-    const std::lock_guard lock(mutex_);
     if (free_.empty()) {
       return next_--;
     }
@@ -23,21 +28,13 @@ class LargeNames {
     free_.pop_back();
     return name;
   }
+  void give_back(GLuint name) { free_.push_back(name); }
 
-  void give_back(GLuint name) {
-    const std::lock_guard lock(mutex_);
-    free_.push_back(name);
-  }
-
-  // Downwards from the largest name but one: glGenBuffers still gives the application the names that it gives without
-  // ours, and never one of these. Mesa gives names above the largest one in use, and searches only if there is none.
-  static constexpr GLuint last = 0xFFFFFFFE;
-  static constexpr GLuint least = 0x80000000;
+  std::mutex mutex;  // held until a name is that of a buffer
 
  private:
-  std::mutex mutex_;
   std::vector<GLuint> free_;
-  GLuint next_ = last;
+  GLuint next_ = largest - 1;
 };
 
 LargeNames& large_names() {
@@ -56,21 +53,25 @@ bool takes_chosen_names(const gl::Dispatch& gl) {
 }  // namespace
 
 GLuint bind_new_buffer(const gl::Dispatch& gl) {
-  GLuint name = 0;
-  if (takes_chosen_names(gl)) {
-    do {
-      name = large_names().take();
-    } while (gl.IsBuffer(name) == GL_TRUE);  // the application has chosen it, too
-  } else {
+  if (!takes_chosen_names(gl)) {
+    GLuint name = 0;
     gl.GenBuffers(1, &name);
+    gl.BindBuffer(GL_COPY_WRITE_BUFFER, name);
+    return name;
+  }
+  const std::lock_guard lock(large_names().mutex);
+  GLuint name = largest;
+  while (gl.IsBuffer(name) == GL_TRUE) {
+    name = large_names().take();
   }
   gl.BindBuffer(GL_COPY_WRITE_BUFFER, name);
   return name;
 }
 
 void delete_buffer(const gl::Dispatch& gl, GLuint name) {
+  const std::lock_guard lock(large_names().mutex);
   gl.DeleteBuffers(1, &name);
-  if (name >= LargeNames::least) {
+  if (name >= least && name < largest) {
     large_names().give_back(name);
   }
 }

@@ -20,7 +20,10 @@ gl::Dispatch names_only() {
   gl.DeleteBuffers = [](GLsizei, const GLuint*) { --buffers_alive; };
   gl.BindBuffer = [](GLenum, GLuint) {};
   gl.BufferData = [](GLenum, GLsizeiptr, const void*, GLenum) {};
-  gl.GetIntegerv = [](GLenum, GLint* value) { *value = 0; };
+  gl.GetString = [](GLenum) -> const GLubyte* { return nullptr; };
+  gl.GetIntegerv = [](GLenum name, GLint* value) {
+    *value = name == GL_CONTEXT_PROFILE_MASK ? GL_CONTEXT_CORE_PROFILE_BIT : 0;
+  };
   gl.GetError = []() -> GLenum { return GL_NO_ERROR; };
   return gl;
 }

@@ -105,6 +105,20 @@ TEST_F(ChosenNames, MayBeLarge) {
   EXPECT_EQ(pending_errors(), "");
 }
 
+// Another share group in the same process.
+TEST_F(ChosenNames, AreFreeInALaterContext) {
+  draw_repeatedly();
+  OsmesaContext later{Profile::compatibility};
+  glBindBuffer(GL_ARRAY_BUFFER, 1);
+  glBufferData(GL_ARRAY_BUFFER, sizeof(two_triangles), two_triangles.data(), GL_STATIC_DRAW);
+  glVertexPointer(2, GL_FLOAT, 0, nullptr);
+  glEnableClientState(GL_VERTEX_ARRAY);
+  draw_repeatedly();
+  GLuint name = 0;
+  glGenBuffers(1, &name);
+  EXPECT_EQ(name, 2U);
+}
+
 // Lists with draws are cut into segments, which are lists of ours.
 TEST_F(ChosenNames, ListsHaveTheNamesThatTheyHaveWithoutRefinement) {
   refine_uniformly(2, GL_LINEAR_OUTPUTS_ARK);
