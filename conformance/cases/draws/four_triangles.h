@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Four triangles at different places and with different colours.
+// A mesh of four triangles. Places and colours show which of them were drawn.
 #pragma once
 
 #include "conformance/support/refined_draw.h"

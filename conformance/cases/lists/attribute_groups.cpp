@@ -161,7 +161,7 @@ void point_at(const Mesh& mesh, GLuint buffer, bool has_others) {
 }
 
 // Draws with all arrays. Then the client state is the default one, and only the array of positions is set. If the first
-// state was pushed, it is popped in the end.
+// state was pushed, it is popped at the end.
 void check_client_default(Test& t, bool is_pushed) {
   if (!t.has_extension("GL_EXT_direct_state_access")) t.not_supported("no ClientAttribDefaultEXT");
   refine_by_tags(3);

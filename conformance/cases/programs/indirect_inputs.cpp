@@ -72,15 +72,18 @@ void check_pipeline_uniforms(Test& t) {
   t.expect_no_error("the draws");
 }
 
+// After the declaration of the type Tint.
+const char three_tints[] =
+    "subroutine(Tint) vec4 kept(vec4 c) { return c; }\n"
+    "subroutine(Tint) vec4 swapped(vec4 c) { return c.gbra; }\n"
+    "subroutine(Tint) vec4 turned(vec4 c) { return vec4(1.0 - c.rgb, 1.0); }\n"
+    "layout(location = 0) in vec4 position; layout(location = 3) in vec4 c; out vec4 colour;\n";
+
 // Subroutines are context state. A change of programs resets them.
 void check_subroutines(Test& t) {
-  const GLuint program = build_program(
-      t, {.vertex = "subroutine vec4 Tint(vec4 c); subroutine uniform Tint tint;\n"
-                    "subroutine(Tint) vec4 kept(vec4 c) { return c; }\n"
-                    "subroutine(Tint) vec4 swapped(vec4 c) { return c.gbra; }\n"
-                    "subroutine(Tint) vec4 turned(vec4 c) { return vec4(1.0 - c.rgb, 1.0); }\n"
-                    "layout(location = 0) in vec4 position; layout(location = 3) in vec4 c; out vec4 colour;\n"
-                    "void main() { colour = tint(c); gl_Position = position; }\n"});
+  const GLuint program =
+      build_program(t, {.vertex = std::string("subroutine vec4 Tint(vec4 c); subroutine uniform Tint tint;\n") +
+                                  three_tints + "void main() { colour = tint(c); gl_Position = position; }\n"});
   gl.UseProgram(program);
   upload(one_triangle());
   std::vector<Picture> plain;
@@ -107,14 +110,12 @@ void check_subroutines(Test& t) {
 
 // An array of subroutine uniforms has a location for each element.
 void check_subroutine_arrays(Test& t) {
-  const GLuint program = build_program(
-      t, {.vertex = "subroutine vec4 Tint(vec4 c); subroutine uniform Tint one; subroutine uniform Tint tints[2];\n"
-                    "subroutine(Tint) vec4 kept(vec4 c) { return c; }\n"
-                    "subroutine(Tint) vec4 swapped(vec4 c) { return c.gbra; }\n"
-                    "subroutine(Tint) vec4 turned(vec4 c) { return vec4(1.0 - c.rgb, 1.0); }\n"
-                    "layout(location = 0) in vec4 position; layout(location = 3) in vec4 c; out vec4 colour;\n"
-                    "void main() { colour = vec4(one(c).r, tints[0](c).g, tints[1](c).b, 1.0);\n"
-                    "  gl_Position = position; }\n"});
+  const GLuint program =
+      build_program(t, {.vertex = std::string("subroutine vec4 Tint(vec4 c);\n"
+                                              "subroutine uniform Tint one; subroutine uniform Tint tints[2];\n") +
+                                  three_tints +
+                                  "void main() { colour = vec4(one(c).r, tints[0](c).g, tints[1](c).b, 1.0);\n"
+                                  "  gl_Position = position; }\n"});
   gl.UseProgram(program);
   upload(one_triangle());
   GLint locations = 0;

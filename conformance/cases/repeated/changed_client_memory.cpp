@@ -286,8 +286,10 @@ void check_one_array(Test& t, bool are_positions, bool is_generic) {
       expect_change(
           t, draw,
           [&] {
-            if (are_positions) memory.positions[i][1] *= 0.4F;
-            memory.colours[i] = {static_cast<GLubyte>(is_uniform ? 255 : 0), 0, 255};
+            if (are_positions)
+              memory.positions[i][1] *= 0.4F;
+            else
+              memory.colours[i] = {static_cast<GLubyte>(is_uniform ? 255 : 0), 0, 255};
           },
           "vertex " + as_text(i) + (is_uniform ? "" : ", by tags"), 150);
   }

@@ -122,7 +122,7 @@ void control_between(Test& t) {
   }
 }
 
-// Objects and counts that a refused call would end, and a draw that is refused.
+// Between Begin and End, GL refuses to delete an object, to end a count and to draw.
 void check_objects(Test& t) {
   const GLuint program = colour_program(t);
   gl.UseProgram(program);

@@ -11,13 +11,13 @@
 namespace glark::core {
 namespace {
 
-// The largest name in each share group is one of ours: then glGenBuffers still gives the application the names that it
-// gives without ours, and never one of these. Mesa gives names above the largest one in use, and searches only if there
-// is none.
+// The first buffer of ours in a share group has the largest name. Then glGenBuffers gives the application the names that it
+// gives without ours, and never one of ours: Mesa 22.3 gives the name above the largest one in use, and looks for a free
+// one from 1 on only if that was the last.
 constexpr GLuint largest = 0xFFFFFFFE;
 constexpr GLuint least = 0x80000000;
 
-// The other names, downwards. Two share groups never have the same one.
+// The other names, downwards from the largest one. Two share groups never have the same name.
 class LargeNames {
  public:
   GLuint take() {
@@ -30,7 +30,7 @@ class LargeNames {
   }
   void give_back(GLuint name) { free_.push_back(name); }
 
-  std::mutex mutex;  // held until a name is that of a buffer
+  std::mutex mutex;  // held until a buffer has the name, so that no other thread finds the name free
 
  private:
   std::vector<GLuint> free_;

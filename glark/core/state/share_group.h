@@ -32,8 +32,8 @@ struct ShareGroup {
   ProgramBinaries binaries;
   AssemblyPrograms assembly;
   std::vector<Programs*> contexts;  // one for each context that lives
-  // For our list segments, downwards from the largest name but one: then glGenLists still gives the application the names
-  // that it gives without them. Mesa gives names above the largest one in use, and searches only if there is none.
+  // Of the next list segment of ours; the first has the largest name. Then glGenLists gives the application the names that
+  // it gives without them: see buffer_names.cpp.
   GLuint next_list_name = 0xFFFFFFFE;
   BufferStamps buffers;
   TextureStamps textures;

@@ -95,7 +95,7 @@ namespace hook {
 void BindVertexArray(Context& c, GLuint array) {
   c.gl().BindVertexArray(array);
   if (!c.state().arrays().vertex_arrays().bind(array) && array != 0) {
-    if (c.state().immediate().open() || c.gl().IsVertexArray(array) == GL_FALSE) {
+    if (c.gl().IsVertexArray(array) == GL_FALSE) {
       c.state().arrays().vertex_arrays().bind(c.state().bindings().vertex_array);  // GL has refused
       return;
     }

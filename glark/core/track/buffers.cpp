@@ -9,8 +9,8 @@ namespace {
 
 // Returns whether GL has certainly accepted the name. Core contexts refuse names that GL did not give out.
 bool surely_bound(const Context& c, GLuint buffer, std::uint64_t generation) {
-  return !c.state().immediate().open() && (buffer == 0 || c.capabilities().api != Capabilities::Api::core ||
-                                           c.state().arrays().bound_buffers().confirmed(buffer, generation));
+  return buffer == 0 || c.capabilities().api != Capabilities::Api::core ||
+         c.state().arrays().bound_buffers().confirmed(buffer, generation);
 }
 
 // The binding of a target that refined draws use themselves and give back; null for other targets.

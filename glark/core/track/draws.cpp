@@ -41,9 +41,6 @@ void draw(Context& context, const DrawCall& call) {
 }
 
 bool restarts_at_vertex(Context& context, std::uint64_t end) {
-  if (context.state().immediate().open()) {
-    return false;
-  }
   context.state().refresh();
   const Bindings& b = context.state().bindings();
   return b.primitive_restart && !b.primitive_restart_fixed &&
@@ -53,9 +50,7 @@ bool restarts_at_vertex(Context& context, std::uint64_t end) {
 namespace {
 
 bool restarts(Context& context) {
-  if (!context.state().immediate().open()) {
-    context.state().refresh();
-  }
+  context.state().refresh();
   return context.state().bindings().primitive_restart || context.state().bindings().primitive_restart_fixed;
 }
 

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Hooks of glEnable and of modes.
+#include <algorithm>
+#include <array>
+
 #include "glark/core/track/complain.h"
 #include "glark/core/track/track.h"
 

@@ -199,9 +199,9 @@ struct Ends {
   vec3 high;
 };
 
-// A surface that continues smoothly beyond a boundary makes the normals of the boundary lean out of this face. Without
-// that, a wall ends here, and another draw may have its lid: the edge must stay on it. Exact normals of a coarse cone lean
-// a little, too, with the square of the angle between its corners.
+// A surface that continues smoothly beyond a boundary makes the normals of the boundary lean out of this face. If they do
+// not lean, a wall ends here. Its lid may be another draw, so the edge must stay straight. Exact normals of a coarse cone
+// lean a little, too, with the square of the angle between its corners.
 bool leans_little(float out_of_face, float in_face, float turn) {
   const float least_lean = 0.035;  // sine: 2 degrees
   const float lean_of_cone = 0.26;

@@ -236,7 +236,7 @@ MET_LAST = [
     scene("vispy", "python3-vispy"),
 ]
 
-# Those of the last round that need no files of ours.
+# Programs of the fifth round that show something without a file from this repository.
 MET_FIFTH = [
     *(qt3d(name) for name in ("simple-cpp", "multiviewport", "wireframe", "3d-text", "lights", "phong-cubes", "anaglyph-rendering", "controls",
                               "scene3d", "qardboard")),

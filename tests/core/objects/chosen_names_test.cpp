@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// A compatibility context and OpenGL ES let programs choose the names of buffers. Such a name is never one of ours. Nor do
-// names of ours change those that GL gives out for display lists.
+// Names of buffers and of display lists. A compatibility context lets a program choose them: the program must not get one of
+// our objects. glGenBuffers and glGenLists give the names that they give without glark.
 #include <array>
 #include <vector>
 
@@ -86,7 +86,7 @@ TEST_F(ChosenNames, KeepTheirContentsAndThePicture) {
   EXPECT_EQ(pending_errors(), "");
 }
 
-// A program that chooses large names meets no buffer of ours, either: it was the first.
+// The program has made buffers with the names that glark would take.
 TEST_F(ChosenNames, MayBeLarge) {
   constexpr GLuint first = 0xFFFFFFFE - 199;
   std::array<GLfloat, 4> contents{1, 2, 3, 4};
@@ -119,7 +119,7 @@ TEST_F(ChosenNames, AreFreeInALaterContext) {
   EXPECT_EQ(name, 2U);
 }
 
-// Lists with draws are cut into segments, which are lists of ours.
+// glark makes several lists of its own of each list that draws.
 TEST_F(ChosenNames, ListsHaveTheNamesThatTheyHaveWithoutRefinement) {
   refine_uniformly(2, GL_LINEAR_OUTPUTS_ARK);
   for (GLuint expected = 1; expected < 6; ++expected) {

@@ -46,7 +46,7 @@ void BindProgramARB(Context& c, GLenum target, GLuint program) {
 
 void DeleteProgramsARB(Context& c, GLsizei n, const GLuint* programs) {
   c.gl().DeleteProgramsARB(n, programs);
-  if (n > 0 && programs != nullptr && !c.state().immediate().open()) {
+  if (n > 0 && programs != nullptr) {
     c.state().programs().assembly().deleted({programs, static_cast<std::size_t>(n)});
   }
 }

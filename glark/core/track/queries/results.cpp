@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Hooks that read results of queries. What our captures added is taken away again, in client memory and in buffers.
+// Hooks that read results of queries. What our captures added is subtracted, in client memory and in buffers.
 #include <algorithm>
 #include <limits>
 
@@ -59,20 +59,22 @@ void replace_result(Context& c, GLuint id, std::uint64_t surplus, GLuint buffer,
   c.gl().ClearBufferSubData(GL_QUERY_BUFFER, format, offset, sizeof(Value), components, GL_UNSIGNED_INT, &right);
 }
 
-// Calls `get`, which writes the result to a buffer. What GL refuses, or has not counted yet (NO_WAIT), is left alone.
+// Calls `get`, which writes the result to a buffer, and corrects it there. Nothing is corrected if GL refuses the call, or
+// has no result yet (NO_WAIT).
 template <typename Value, class Get>
 void get_into_buffer(Context& c, GLuint id, GLenum name, GLuint buffer, GLintptr offset, const Get& get) {
+  c.writes().to_buffer(buffer);
   const std::uint64_t* surplus = c.state().query_surplus().find(id);
   if (surplus == nullptr || !is_result(name)) {
     get();
     return;
   }
-  const ErrorScope errors(c.pending_error());
+  ErrorScope errors(c.pending_error());
   const Quiet quiet = c.state().quiet();
   quiet.interrupt();
   get();
   quiet.hush();
-  if (const GLenum error = c.gl().GetError(); error != GL_NO_ERROR) {
+  if (const GLenum error = errors.take(); error != GL_NO_ERROR) {
     c.pending_error().raise(error);
     return;
   }
@@ -86,7 +88,6 @@ template <typename Value, class Get>
 void get_result(Context& c, GLuint id, GLenum name, Value* result, const Get& get) {
   const GLuint buffer = c.capabilities().query_buffer ? c.state().bindings().query_buffer : 0;
   if (buffer != 0) {
-    c.writes().to_buffer(buffer);
     get_into_buffer<Value>(c, id, name, buffer, reinterpret_cast<GLintptr>(result), get);
     return;
   }
@@ -118,24 +119,20 @@ void GetQueryObjectui64v(Context& c, GLuint id, GLenum name, GLuint64* result) {
 }
 
 void GetQueryBufferObjectiv(Context& c, GLuint id, GLuint buffer, GLenum name, GLintptr offset) {
-  c.writes().to_buffer(buffer);
   get_into_buffer<GLint>(c, id, name, buffer, offset, [&] { c.gl().GetQueryBufferObjectiv(id, buffer, name, offset); });
 }
 
 void GetQueryBufferObjectuiv(Context& c, GLuint id, GLuint buffer, GLenum name, GLintptr offset) {
-  c.writes().to_buffer(buffer);
   get_into_buffer<GLuint>(c, id, name, buffer, offset,
                           [&] { c.gl().GetQueryBufferObjectuiv(id, buffer, name, offset); });
 }
 
 void GetQueryBufferObjecti64v(Context& c, GLuint id, GLuint buffer, GLenum name, GLintptr offset) {
-  c.writes().to_buffer(buffer);
   get_into_buffer<GLint64>(c, id, name, buffer, offset,
                            [&] { c.gl().GetQueryBufferObjecti64v(id, buffer, name, offset); });
 }
 
 void GetQueryBufferObjectui64v(Context& c, GLuint id, GLuint buffer, GLenum name, GLintptr offset) {
-  c.writes().to_buffer(buffer);
   get_into_buffer<GLuint64>(c, id, name, buffer, offset,
                             [&] { c.gl().GetQueryBufferObjectui64v(id, buffer, name, offset); });
 }
