@@ -152,6 +152,26 @@ TEST_F(Creases, AWallEndsAtItsLid) {
   }
 }
 
+// The upper corners stand above the middles of the lower edges, so no side of a triangle is upright.
+TEST_F(Creases, ATwistedWallEndsAtItsLid) {
+  constexpr int sides = 8;
+  const auto at = [](float side, float z) {
+    const float turn = 2 * 3.14159265F * std::fmod(side, static_cast<float>(sides)) / sides;
+    return Vector{std::cos(turn), std::sin(turn), z};
+  };
+  SplitMesh wall;
+  for (int side = 0; side < sides; ++side) {
+    const auto number = static_cast<float>(side);
+    const auto add = [&wall](const Vector& a, const Vector& b, const Vector& c) {
+      const auto outwards = [](const Vector& v) { return Vector{v[0], v[1], 0}; };
+      wall.add({a, b, c}, {outwards(a), outwards(b), outwards(c)});
+    };
+    add(at(number, 0), at(number + 1, 0), at(number + 0.5F, 1));
+    add(at(number + 1, 0), at(number + 1.5F, 1), at(number + 0.5F, 1));
+  }
+  expect_straight(wall);
+}
+
 // The normals of a strip lean towards the next strip, which has the same ones.
 TEST_F(Creases, StripsOfABallStayCurved) {
   const float step = 3.14159265F / 8;
