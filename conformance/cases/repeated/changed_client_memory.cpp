@@ -7,6 +7,7 @@
 
 #include "conformance/cases/cases.h"
 #include "conformance/cases/repeated/expect_change.h"
+#include "conformance/reference/pattern.h"
 #include "conformance/support/counted.h"
 
 namespace glark::conformance {
