@@ -292,21 +292,20 @@ Cases vertex_stage_inputs_cases() {
       "reads.changed_block.long_name", {"11.R.10-1"}, "The same; the block's name has 300 letters.",
       "The binding of the first draw, if the name is cut.", [=](Test& t) { check_changed_block(t, long_name); },
       every_api);
-  for (const auto& [leaf, before, capability] :
-       {std::tuple<const char*, std::vector<GLenum>, GLenum>{"lighting", {GL_LIGHT0}, GL_LIGHTING},
-        {"light_0", {GL_LIGHTING}, GL_LIGHT0},
-        {"normalize", {GL_LIGHTING, GL_LIGHT0}, GL_NORMALIZE},
-        {"fog", {}, GL_FOG},
-        {"color_sum", {}, GL_COLOR_SUM}})
+  const auto add_capability = [&](const char* leaf, GLenum capability, const std::vector<GLenum>& before) {
     cases.push_back(
         {.name = std::string("ark.stage.reads.changed_") + leaf,
          .clauses = {"11.R.10-1"},
          .plan = "Enable and disable the capability between refined draws, and compare with unrefined draws.",
          .wrong = "The state of the first draw.",
          .apis = compat_only,
-         .check = [before = before, capability = capability](Test& t) {
-           check_changed_capability(t, before, capability);
-         }});
+         .check = [=](Test& t) { check_changed_capability(t, before, capability); }});
+  };
+  add_capability("lighting", GL_LIGHTING, {GL_LIGHT0});
+  add_capability("light_0", GL_LIGHT0, {GL_LIGHTING});
+  add_capability("normalize", GL_NORMALIZE, {GL_LIGHTING, GL_LIGHT0});
+  add_capability("fog", GL_FOG, {});
+  add_capability("color_sum", GL_COLOR_SUM, {});
   add(
       "reads.changed_storage_block", {"11.R.10-1"}, "Change the binding of a storage block between draws.",
       "The binding of the first draw.", [](Test& t) { check_changed_storage(t, "Store"); }, desktop_apis);
