@@ -34,6 +34,23 @@ class Commands(CommandCase):
         self.assertEqual(1, done.returncode)
         self.assertIn("--format", done.stderr)
 
+    def test_a_pipe_of_any_format(self):
+        formats = [".ply", ".obj", ".stl", ".glb", ".xyz", ".pts"]
+        outputs = ["a" + ending for ending in formats]
+        self.needs("simplify")
+        for output in outputs:
+            self.glark("simplify", self.sphere, "-o", output, "--target", "100000")
+        for ending, file in zip(formats, outputs):
+            count = self.report("info", file)["points"]
+            for command in (("info", "-"), ("simplify", "-", "-o", "b.ply", "--target", "100000"), ("reconstruct", "-", "-o", "b.ply")):
+                if command[0] == "reconstruct":
+                    self.needs("reconstruct")
+                done = subprocess.run([GLARK, *command, "--format", ending[1:], "--json"], input=(self.path / file).read_bytes(),
+                                      capture_output=True, cwd=self.path)
+                self.assertEqual(0, done.returncode, (command, ending, done.stderr))
+                report = json.loads(done.stdout)
+                self.assertEqual(count, report.get("input", report)["points"], (command, ending))
+
     def test_measure_of_the_same_is_nothing(self):
         quality = self.report("info", self.sphere, "--measure", self.sphere)["quality"]
         self.assertLess(quality["hausdorff_percent"], 1e-6)

@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: MIT
 //
 // OFF files: variants of the header, and damaged files, which must not change in silence.
+#include <fmt/format.h>
+
+#include <array>
+#include <string>
+
 #include "tests/geometry/temporary_file.h"
 
 namespace glark::geometry {
@@ -100,6 +105,34 @@ TEST_F(OffFiles, FarFromZeroTheDigitsAreKept) {
       read_file(made("a.off", "OFF\n2 0 0\n4500000.25 5400000 0\n4500001.5 5400000 0\n"), {}).geometry;
   EXPECT_EQ(4500000.0, geometry.origin[0]);
   EXPECT_EQ(1.5F, geometry.positions[3]);
+}
+
+TEST_F(OffFiles, ASmallModelAtSomeDistanceKeepsItsDigits) {
+  for (const int distance : {0, 5, 100, 3000, -8000}) {
+    std::string text = "OFF\n100 0 0\n";
+    const auto coordinate = [&](int i, int axis) { return distance * (axis + 1) + 0.00123 * i * (axis - 1.5); };
+    for (int i = 0; i < 100; ++i)
+      text += fmt::format("{} {} {}\n", coordinate(i, 0), coordinate(i, 1), coordinate(i, 2));
+    const Geometry geometry = read_file(made("a.off", text), {}).geometry;
+    for (int i = 0; i < 300; ++i)
+      EXPECT_NEAR(coordinate(i / 3, i % 3), geometry.origin[i % 3] + static_cast<double>(geometry.positions[i]), 1e-7)
+          << distance << ": " << i;
+    if (distance == 0) {
+      EXPECT_EQ((std::array<double, 3>{}), geometry.origin);  // floats suffice
+    }
+  }
+}
+
+TEST_F(OffFiles, InvalidPointsDoNotDisturbTheOrigin) {
+  const Geometry geometry =
+      read_file(made("a.off", "OFF\n5 1 0\nnan 0 0\n3000.1 1 1\n3000.2 inf 1\n3000.3 1 1\n3000.3 1.1 1\n3 1 3 4\n"),
+                {.skip_invalid = true})
+          .geometry;
+  ASSERT_EQ(3U, geometry.point_count());
+  EXPECT_NEAR(3000.1, geometry.origin[0] + static_cast<double>(geometry.positions[0]), 1e-8);
+  EXPECT_NEAR(3000.3, geometry.origin[0] + static_cast<double>(geometry.positions[3]), 1e-8);
+  EXPECT_NEAR(1.1, geometry.origin[1] + static_cast<double>(geometry.positions[7]), 1e-8);
+  EXPECT_EQ(1U, geometry.triangle_count());
 }
 
 }  // namespace

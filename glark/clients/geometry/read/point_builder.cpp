@@ -12,6 +12,9 @@ namespace glark::geometry {
 namespace {
 
 constexpr std::uint32_t removed = std::numeric_limits<std::uint32_t>::max();
+// Points are far from zero if their coordinates are more than so many diagonals of their bounding box. Nearer to zero, a
+// float is exact to 1/2 millionth of the diagonal.
+constexpr double far_diagonals = 8;
 
 template <class Value>
 void keep(std::vector<Value>& values, const std::vector<std::uint32_t>& target, std::size_t width) {
@@ -41,11 +44,48 @@ void PointBuilder::expect(std::uint64_t points, std::uint64_t triangles) {
 void PointBuilder::take_point(const Point& point, const std::array<float, 3>& relative) {
   if (geometry_.point_count() >= removed) throw Error(file_ + ": more points than 32 bits can count; split the file");
   geometry_.positions.insert(geometry_.positions.end(), relative.begin(), relative.end());
+  if (needs_double_ && keeps_rests_ && origin_ == std::array<double, 3>{}) keep_rest(point, relative);
   if (attributes_.normals) geometry_.normals.insert(geometry_.normals.end(), point.normal.begin(), point.normal.end());
   if (attributes_.colours) add_colour(point.colour);
   if (attributes_.texture_coordinates)
     geometry_.texture_coordinates.insert(geometry_.texture_coordinates.end(), point.texture_coordinate.begin(),
                                          point.texture_coordinate.end());
+}
+
+void PointBuilder::keep_rest(const Point& point, const std::array<float, 3>& relative) {
+  const bool is_finite = invalid_.empty() || invalid_.back() != points_ - 1;
+  if (is_finite) {
+    if (!has_box_) low_ = high_ = point.position;
+    has_box_ = true;
+    double farthest = 0, diagonal = 0;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      low_[axis] = std::min(low_[axis], point.position[axis]);
+      high_[axis] = std::max(high_[axis], point.position[axis]);
+      farthest = std::max({farthest, -low_[axis], high_[axis]});
+      diagonal = std::hypot(diagonal, high_[axis] - low_[axis]);
+    }
+    if (farthest <= far_diagonals * diagonal || farthest == 0) {
+      // More points only make the box larger.
+      keeps_rests_ = farthest == 0;
+      if (!keeps_rests_) rests_ = {};
+      return;
+    }
+  }
+  rests_.resize(geometry_.positions.size() - 3);  // of points at zero
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    rests_.push_back(static_cast<float>(point.position[axis] - static_cast<double>(relative[axis])));
+}
+
+void PointBuilder::move_origin() {
+  if (!keeps_rests_ || std::all_of(rests_.begin(), rests_.end(), [](float rest) { return rest == 0; })) return;
+  std::vector<float>& positions = geometry_.positions;
+  std::size_t first = 0;
+  while (first / 3 < invalid_.size() && invalid_[first / 3] == first / 3) first += 3;
+  for (std::size_t axis = 0; axis < 3; ++axis) origin_[axis] = static_cast<double>(positions[first + axis]);
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    positions[i] =
+        static_cast<float>(static_cast<double>(positions[i]) - origin_[i % 3] + static_cast<double>(rests_[i]));
+  rests_ = {};
 }
 
 void PointBuilder::take_triangle(const Triangle& triangle) {
@@ -117,8 +157,9 @@ void PointBuilder::leave_out_invalid() {
 }
 
 Reading PointBuilder::finish() {
-  geometry_.origin = origin_;
   require_sound(points_ - invalid_.size());
+  move_origin();
+  geometry_.origin = origin_;
   if (!invalid_.empty()) leave_out_invalid();
   if (!end_warnings()) geometry_.normals = {};
   return {std::move(geometry_), std::move(warnings_)};

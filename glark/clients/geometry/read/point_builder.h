@@ -23,11 +23,20 @@ class PointBuilder final : public PointSink {
  private:
   void take_point(const Point& point, const std::array<float, 3>& relative) override;
   void take_triangle(const Triangle& triangle) override;
+  // Keeps what a float has lost of the position, as long as the points lie far from zero for their extent.
+  void keep_rest(const Point& point, const std::array<float, 3>& relative);
+  // Makes the positions relative to the first point, if the points lie far from zero for their extent and floats have lost
+  // something.
+  void move_origin();
   void add_colour(const std::array<float, 4>& colour);
   void leave_out_invalid();
 
   ColourRange range_;
   Geometry geometry_;
+  bool keeps_rests_ = true;
+  std::vector<float> rests_;              // what is to be added to the positions: 3 per point, or empty
+  std::array<double, 3> low_{}, high_{};  // the bounding box of the first points
+  bool has_box_ = false;
 };
 
 }  // namespace glark::geometry

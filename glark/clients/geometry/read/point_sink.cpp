@@ -54,6 +54,7 @@ void PointSink::choose_origin(const Point& point) {
 
 void PointSink::add_point(const Point& point, bool needs_double) {
   const std::uint64_t index = points_++;
+  needs_double_ = needs_double;
   if (!all_finite(point.position)) {
     if (!options_.skip_invalid)
       throw Error(

@@ -74,6 +74,7 @@ class PointSink {
   std::array<double, 3> origin_{};
   std::uint64_t points_ = 0;            // all that were added
   std::vector<std::uint64_t> invalid_;  // points with coordinates that are not finite
+  bool needs_double_ = false;           // what add_point() got last
 
  private:
   void choose_origin(const Point& point);

@@ -34,8 +34,8 @@ AllPoints read_points(BlockSource& source, const PointKind& kind, const Progress
         ++all.left_out;
         continue;
       }
-      if (all.positions.empty())
-        for (std::size_t k = 0; k < 3; ++k) all.origin[k] = std::abs(position[k]) < 8192 ? 0 : std::floor(position[k]);
+      if (all.positions.empty() && source.schema().position == Number::float64)
+        std::copy_n(position, 3, all.origin.begin());
       for (std::size_t k = 0; k < 3; ++k) all.positions.push_back(static_cast<float>(position[k] - all.origin[k]));
       if (kind.has_normals) {
         const std::array<float, 3> normal = unit_normal_of(points, i);

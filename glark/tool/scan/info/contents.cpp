@@ -24,11 +24,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Returns whether the file has the size that a binary STL file of its triangles has.
+// Returns whether the file has the size that a binary STL file of its triangles has. What is read from a pipe is gone, so
+// a pipe is none.
 [[maybe_unused]] bool is_binary_stl(const fs::path& file) {
   constexpr std::uint64_t header_size = 84, triangle_size = 50;
   std::array<char, header_size> header{};
   std::error_code error;
+  if (!fs::is_regular_file(file, error)) return false;
   if (!std::ifstream(file, std::ios::binary).read(header.data(), header.size())) return false;
   std::uint32_t triangles = 0;
   std::memcpy(&triangles, &header[80], sizeof(triangles));
