@@ -104,6 +104,7 @@ struct CellIndex {
   std::uint64_t bytes = 0;   // the size of the scan's file
   std::uint64_t points = 0;  // of the scan
   std::vector<SampledCell> cells;
+  std::uint64_t samples = 0;  // of the sampling that the index belongs to; 0: not known
 };
 
 // Writes and reads an index as text. The samples of the cells are not kept. Errors: Error for a file that cannot be

@@ -81,6 +81,32 @@ TEST_F(BadFiles, AFileThatShrinksWhileItIsReadIsExplained) {
   EXPECT_NE(problem_of([&] { read_all(*reader, 100); }).find("ends at byte 2000"), std::string::npos);
 }
 
+TEST_F(BadFiles, WhatCannotBeSampledIsSaidBeforeTheWork) {
+  const auto good = made("a.ply", binary + "element vertex 2\n" + xyz + std::string(24, '\1'));
+  const auto empty = made("empty.ply", binary + "element vertex 0\n" + xyz);
+  made("out.ply", "old");
+  ASSERT_EQ(mkfifo(path("pipe.ply").c_str(), 0600), 0);
+  struct Case {
+    std::filesystem::path large, small;
+    const char* said;
+  };
+  for (const Case& bad :
+       {Case{empty, path("out.ply"), "it has no points"}, Case{path("pipe.ply"), path("out.ply"), "is no regular file"},
+        Case{"-", path("out.ply"), "is no regular file"},
+        Case{good, path("out.obj"), "names no format that glark streams to"},
+        Case{good, path("none/out.ply"), "there is no folder"}}) {
+    for (const bool in_core : {true, false}) {
+      SampleOptions options{.target = 1, .work = path("work")};
+      options.allow_in_core = in_core;
+      const std::string problem = problem_of([&] { sample_file(bad.large, bad.small, options); });
+      EXPECT_NE(problem.find(bad.said), std::string::npos) << problem;
+      EXPECT_FALSE(std::filesystem::exists(path("work"))) << bad.said;
+    }
+  }
+  EXPECT_EQ(bytes_of(path("out.ply")), "old");
+  EXPECT_FALSE(std::filesystem::exists(path("none")));
+}
+
 TEST_F(BadFiles, NumbersThatDoNotFitAreExplained) {
   const Schema schema{Number::float32, false, {{"red", Number::uint8}}};
   const std::vector<double> position{1, 2, 3}, red{256};

@@ -151,6 +151,17 @@ std::string las_by_hand(unsigned minor, unsigned format, std::uint16_t record_si
   return bytes;
 }
 
+// The count of 32 bits is for readers of earlier versions.
+TEST_F(Formats, TheCountOf64BitsOfLasIsTheTrueOne) {
+  std::string bytes = las_by_hand(4, 1, 28);
+  bytes += bytes.substr(bytes.size() - 28);
+  const std::uint64_t two = 2;
+  std::memcpy(&bytes[247], &two, sizeof(two));
+  EXPECT_EQ(open_points(made("a.las", bytes))->count(), 2U);
+  std::memset(&bytes[247], 0, sizeof(two));
+  EXPECT_EQ(open_points(made("a.las", bytes))->count(), 1U);
+}
+
 TEST_F(Formats, LasOfEveryVersionAndFormat) {
   constexpr std::uint16_t sizes[] = {20, 28, 26, 34, 57, 63, 30, 36, 38, 59, 67};
   for (unsigned format = 0; format <= 10; ++format) {

@@ -107,8 +107,32 @@ TEST_F(Refining, WhatDoesNotFitIsExplained) {
             std::string::npos);
 }
 
+// A run that was killed after it had written the sampling leaves the index of an earlier one.
+TEST_F(Refining, AnIndexOfAnotherSamplingIsRefused) {
+  write_edited();
+  sample_file(path("large.ply"), path("other.ply"), {.target = 50});
+  refine(files(), cap(), {.target = 10});
+  std::filesystem::copy(path("other.ply.cells"), files().cells, std::filesystem::copy_options::overwrite_existing);
+  EXPECT_NE(problem_of([&] { refine(files(), cap(), {.target = 10}); }).find("is the index of a sampling with"),
+            std::string::npos);
+}
+
+// What fails after the sampling was written keeps the state of the work: the next run continues.
+TEST_F(Refining, AnIndexThatCannotBeWrittenLeavesTheWork) {
+  std::filesystem::create_directories(path("mine.ply.cells/full"));
+  SampleOptions options{.target = 200, .memory = 40 << 20, .work = path("work")};
+  options.allow_in_core = false;
+  EXPECT_NE(problem_of([&] { sample_file(path("large.ply"), path("mine.ply"), options); }), "");
+  EXPECT_TRUE(std::filesystem::exists(path("work/glark-identity")));
+  std::filesystem::remove_all(path("mine.ply.cells"));
+  options.resume = true;
+  sample_file(path("large.ply"), path("mine.ply"), options);
+  EXPECT_FALSE(std::filesystem::exists(path("work")));
+  EXPECT_EQ(read_cells(path("mine.ply.cells")).points, scan_points);
+}
+
 TEST_F(Refining, TheIndexKeepsItsNumbers) {
-  CellIndex index{100, 50, {}};
+  CellIndex index{100, 50, {}, 9};
   SampledCell cell;
   cell.corner = {0.1, -2, 1e300};
   cell.side = 0.3;
@@ -121,6 +145,7 @@ TEST_F(Refining, TheIndexKeepsItsNumbers) {
   const CellIndex read = read_cells(path("a.cells"));
   EXPECT_EQ(read.bytes, 100U);
   EXPECT_EQ(read.points, 50U);
+  EXPECT_EQ(read.samples, 9U);
   ASSERT_EQ(read.cells.size(), 1U);
   EXPECT_EQ(read.cells[0].corner, cell.corner);
   EXPECT_EQ(read.cells[0].side, cell.side);

@@ -2,9 +2,14 @@
 // SPDX-License-Identifier: MIT
 //
 // States of runs that were killed.
+#include <sys/inotify.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <array>
+#include <cstring>
 #include <limits>
+#include <string>
 
 #include "glark/clients/stream/files/work_folder.h"
 #include "glark/clients/stream/space/spatial_order.h"
@@ -93,6 +98,33 @@ TEST_F(Work, WhatSomebodyPutsIntoTheFolderStays) {
   EXPECT_TRUE(std::filesystem::exists(path("work/notes.txt")));
   EXPECT_TRUE(std::filesystem::exists(path("work/glark-folder")));
   EXPECT_FALSE(std::filesystem::exists(path("work/glark-number")));
+}
+
+// A run that is killed while it removes the folder leaves one that the next run knows.
+TEST_F(Work, TheIdentityIsRemovedLast) {
+  {
+    WorkFolder folder(path("work"), "a", false);
+    folder.save("number", [](StateWriter& state) { state.put(42); });
+    for (int i = 0; i < 50; ++i) made("work/glark-" + std::to_string(i), "x");
+    // As a kill after each removal: nothing of ours may be without the identity.
+    const int watch = inotify_init1(IN_NONBLOCK);
+    ASSERT_GE(inotify_add_watch(watch, path("work").c_str(), IN_DELETE), 0);
+    folder.finish();
+    alignas(inotify_event) std::array<char, 16384> events{};
+    const ssize_t size = read(watch, events.data(), events.size());
+    close(watch);
+    std::string last;
+    int removed = 0;
+    for (ssize_t at = 0; at < size; ++removed) {
+      inotify_event event{};
+      std::memcpy(&event, &events[static_cast<std::size_t>(at)], sizeof(event));
+      if (event.len > 0) last = &events[static_cast<std::size_t>(at) + sizeof(event)];
+      at += static_cast<ssize_t>(sizeof(event) + event.len);
+    }
+    EXPECT_GE(removed, 52);
+    EXPECT_EQ(last, "glark-identity");
+  }
+  EXPECT_FALSE(std::filesystem::exists(path("work")));
 }
 
 TEST_F(Work, AnEmptyFolderAndABegunOneAreTaken) {

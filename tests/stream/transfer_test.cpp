@@ -79,6 +79,35 @@ TEST_F(Edited, ScalesAreExact) {
   EXPECT_LT(error_of([](const Point& p) { return Point{2 * p[0], 2 * p[1], 2 * p[2]}; }), 1e-4 * diagonal);
 }
 
+// From millimetres to metres, for example: heights and details are scaled, too.
+TEST_F(Edited, ChangesOfUnitsAreExact) {
+  for (const double scale : {1e-3, 1 / 25.4, 10.0, 1e3})
+    EXPECT_LT(error_of([&](const Point& p) {
+                return Point{scale * p[0], scale * p[1], scale * p[2]};
+              }),
+              1e-4 * diagonal * scale)
+        << scale;
+}
+
+// Where no triangle of samples is around a point, at a border for example, the point moves as all samples near it do.
+TEST_F(Edited, PointsOutsideOfAllTrianglesTurnAndScale) {
+  AllPoints large, small, edited;
+  for (int i = 0; i < 60; ++i) {
+    const double x = 0.1 * i, y = 0.1 * (i % 3);  // a strip: all samples are on one side of the points
+    for (AllPoints* all : {&large, &small}) all->normals.insert(all->normals.end(), {0, 0, 1});
+    large.positions.insert(large.positions.end(), {x, 1.5 + y, 0});
+    small.positions.insert(small.positions.end(), {x, y, 0});
+  }
+  const auto turn = [](const Point& p) { return Point{-2 * p[1] + 3, 2 * p[0], 2 * p[2] - 7}; };
+  write("large.ply", large, plain);
+  write("small.ply", small, plain);
+  write("edited.ply", moved(small, turn), plain);
+  transfer(path("large.ply"), path("small.ply"), path("edited.ply"), path("out.ply"));
+  const AllPoints out = read_all(*open_points(path("out.ply"))), wanted = moved(large, turn);
+  for (std::size_t i = 0; i < wanted.positions.size(); ++i)
+    EXPECT_NEAR(out.positions[i], wanted.positions[i], 2e-2) << i;
+}
+
 // The sheet becomes part of a cylinder, by a quarter turn.
 TEST_F(Edited, ABendIsNear) {
   const auto bend = [](const Point& p) {
@@ -200,6 +229,52 @@ TEST_F(Edited, LasKeepsItsOtherNumbers) {
   EXPECT_EQ(before.channels, after.channels);
   for (std::size_t i = 0; i < before.positions.size(); i += 3)
     EXPECT_NEAR(after.positions[i], before.positions[i] + 100, 1e-3);
+}
+
+TEST_F(Edited, ACoordinateThatLasCannotHoldIsExplained) {
+  const Schema las{Number::float64, false, {}};
+  AllPoints large = sheet(40);
+  large.normals.clear();
+  write("large.las", large, las);
+  const AllPoints small = sheet(18);
+  write("small.ply", small, plain);
+  write("edited.ply", moved(small, [](const Point& p) { return Point{p[0] + 1e7, p[1], p[2]}; }), plain);
+  const std::string problem =
+      problem_of([&] { transfer(path("large.las"), path("small.ply"), path("edited.ply"), path("out.las")); });
+  EXPECT_NE(problem.find("out.las: point"), std::string::npos) << problem;
+  EXPECT_NE(problem.find("cannot hold"), std::string::npos) << problem;
+  EXPECT_FALSE(std::filesystem::exists(path("out.las")));
+}
+
+// Many programs write colours of 8 bits into the 16 that LAS has.
+TEST_F(Edited, ByteColoursOfLasStayBytes) {
+  const Schema las{
+      Number::float64, false, {{"red", Number::uint16}, {"green", Number::uint16}, {"blue", Number::uint16}}};
+  AllPoints large = sheet(40);
+  large.normals.clear();
+  for (std::size_t i = 0; i < large.positions.size() / 3; ++i)
+    large.channels.insert(large.channels.end(), {60, 100 + static_cast<double>(i % 50), 199});
+  write("large.las", large, las);
+  sample_file(path("large.las"), path("small.ply"), {.target = 500});
+  AllPoints small = read_all(*open_points(path("small.ply")));
+  const Schema schema = open_points(path("small.ply"))->schema();
+  ASSERT_EQ(schema.channels.size(), 3U);
+  EXPECT_EQ(schema.channels[0].type, Number::uint8);
+  for (std::size_t i = 0; i < small.channels.size(); i += 3) {
+    EXPECT_EQ(small.channels[i], 60);
+    EXPECT_EQ(small.channels[i + 2], 199);
+    small.channels[i] = 255;
+  }
+  write("edited.ply", small, schema);
+  transfer(path("large.las"), path("small.ply"), path("edited.ply"), path("out.las"));
+  const AllPoints after = read_all(*open_points(path("out.las")));
+  const Schema out = open_points(path("out.las"))->schema();
+  for (std::size_t i = 0; i < after.positions.size() / 3; ++i) {
+    const double* colour = &after.channels[i * out.channels.size() + channel_index(out, "red")];
+    EXPECT_EQ(colour[0], 255) << i;
+    EXPECT_EQ(colour[1], large.channels[3 * i + 1]) << i;
+    EXPECT_EQ(colour[2], 199) << i;
+  }
 }
 
 // Squares of such numbers are infinite as floats, and the points around the sample became NaN.

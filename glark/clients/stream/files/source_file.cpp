@@ -26,6 +26,9 @@ namespace {
 
 SourceFile::SourceFile(const std::filesystem::path& file) : name_(file.string()) {
   require_name(file, "an input");
+  if (file == "-")
+    fail_to_read(name_,
+                 "standard input can be read only once, and this takes several passes; write it to a disk first");
   descriptor_ = open(file.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor_ < 0) fail_to_read(name_, std::string("cannot be read: ") + std::strerror(errno) + "; check the name");
   struct stat status {};

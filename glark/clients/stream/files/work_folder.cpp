@@ -87,6 +87,7 @@ void WorkFolder::require_own() const {
   if (error) fail_in_work(folder_, error.value());
 }
 
+// The identity goes last: until then, an interrupted removal leaves a folder that is known as ours.
 void WorkFolder::remove_files() const {
   std::error_code ignored;
   std::vector<fs::path> files;
@@ -94,7 +95,10 @@ void WorkFolder::remove_files() const {
     if (entry.path().filename().string().starts_with("glark-") &&
         entry.symlink_status(ignored).type() == fs::file_type::regular)
       files.push_back(entry.path());
-  for (const fs::path& file : files) fs::remove(file, ignored);
+  const fs::path last = path(identity_name);
+  for (const fs::path& file : files)
+    if (file != last) fs::remove(file, ignored);
+  fs::remove(last, ignored);
 }
 
 void WorkFolder::require_same_disk(const fs::path& file) const {

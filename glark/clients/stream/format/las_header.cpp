@@ -100,8 +100,9 @@ LasHeader parse_las_header(const std::string& file, std::span<const char> bytes,
   if (header.header_size < needed || bytes.size() < needed)
     fail(file, fmt::format("it has {} bytes; version 1.{} has {}, get the file again", header.header_size, header.minor,
                            needed));
-  if (header.minor == 4 && (header.points == 0 || header.point_format > 5))
-    header.points = value_at<std::uint64_t>(bytes, 247);
+  // The count of 32 bits is for readers of earlier versions, and 0 where they could not read the file.
+  if (const auto points = header.minor == 4 ? value_at<std::uint64_t>(bytes, 247) : 0; points != 0)
+    header.points = points;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     header.scale[axis] = value_at<double>(bytes, 131 + 8 * axis);
     header.offset[axis] = value_at<double>(bytes, 155 + 8 * axis);
@@ -117,6 +118,26 @@ LasHeader read_las_header(const SourceFile& file) {
   const std::size_t have = std::min<std::uint64_t>(bytes.size(), file.size());
   file.read(0, std::span(bytes).first(have));
   return parse_las_header(file.name(), std::span(bytes).first(have), file.size());
+}
+
+void read_byte_colours(const SourceFile& file, Layout& layout) {
+  constexpr std::uint64_t blocks = 32, block = 512;
+  const std::size_t red = channel_index(layout.schema, "red");
+  if (red == none || layout.records == 0) return;
+  std::vector<char> records;
+  std::uint16_t greatest = 0;
+  for (std::uint64_t i = 0; i < blocks; ++i) {
+    const std::uint64_t first = layout.records / blocks * i;
+    const std::uint64_t count = std::min(block, layout.records - first);
+    records.resize(static_cast<std::size_t>(count * layout.record_size));
+    file.read(layout.begin + first * layout.record_size, records);
+    for (std::size_t k = 0; k < count; ++k)
+      for (std::size_t channel = red; channel < red + 3; ++channel)
+        greatest = std::max(greatest,
+                            value_at<std::uint16_t>(records, k * layout.record_size + layout.channels[channel].offset));
+  }
+  if (greatest == 0 || greatest > 255) return;
+  for (std::size_t channel = red; channel < red + 3; ++channel) layout.schema.channels[channel].type = Number::uint8;
 }
 
 Layout las_layout(const LasHeader& header) {

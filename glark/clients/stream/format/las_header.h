@@ -31,6 +31,9 @@ LasHeader read_las_header(const SourceFile& file);
 LasHeader parse_las_header(const std::string& file, std::span<const char> bytes, std::uint64_t size);
 
 Layout las_layout(const LasHeader& header);
+// Many programs write colours from 0 to 255 where LAS has 16 bits. If none of a few thousand points of the whole file has
+// more, the schema says that the colours are bytes.
+void read_byte_colours(const SourceFile& file, Layout& layout);
 
 // The point format, 0, 2 or 7, that can hold these channels.
 unsigned las_format_for(const Schema& schema);

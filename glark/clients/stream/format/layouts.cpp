@@ -82,7 +82,11 @@ bool is_compressed(const std::filesystem::path& file) { return lower(file.extens
 
 std::optional<Layout> layout_of(const SourceFile& file, const std::string& format) {
   if (format == ".ply") return ply_layout(file);
-  if (format == ".las") return las_layout(read_las_header(file));
+  if (format == ".las") {
+    Layout layout = las_layout(read_las_header(file));
+    read_byte_colours(file, layout);
+    return layout;
+  }
   if (format == ".stl") return stl_layout(file);
   if (format == ".raw") return raw_layout(file);
   if (format == ".xyz" || format == ".txt" || format == ".asc" || format == ".csv" || format == ".pts")

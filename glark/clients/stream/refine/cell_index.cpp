@@ -44,8 +44,9 @@ class Words {
     if (number < 0) fail(fmt::format("the {} is {}, which is below 0", what, number));
     return number;
   }
+  bool at_end() const { return line_.find_first_not_of(' ') == std::string_view::npos; }
   void end() const {
-    if (line_.find_first_not_of(' ') != std::string_view::npos) fail(fmt::format("\"{}\" is too much", line_));
+    if (!at_end()) fail(fmt::format("\"{}\" is too much", line_));
   }
   [[noreturn]] void fail(const std::string& problem) const {
     throw Error(Element::file, 0, place_ + ": " + problem + "; the index is damaged, sample the scan again");
@@ -102,7 +103,8 @@ class CellTotals {
 }  // namespace
 
 std::string index_text(const CellIndex& index) {
-  std::string text = fmt::format("{}\n{} {} {}\n", first_words, index.bytes, index.points, index.cells.size());
+  std::string text =
+      fmt::format("{}\n{} {} {} {}\n", first_words, index.bytes, index.points, index.cells.size(), index.samples);
   for (const SampledCell& cell : index.cells)
     text += fmt::format("{} {} {} {} {} {} {} {}\n", cell.corner[0], cell.corner[1], cell.corner[2], cell.side,
                         cell.points, cell.first, cell.last, cell.error);
@@ -128,6 +130,7 @@ CellIndex parse_index(std::string_view text, const std::string& file) {
   index.bytes = words.next<std::uint64_t>("size of the scan");
   index.points = words.next<std::uint64_t>("number of points");
   const auto cells = words.next<std::uint64_t>("number of cells");
+  if (!words.at_end()) index.samples = words.next<std::uint64_t>("number of samples");  // earlier versions have none
   words.end();
   if (cells > most_cells) words.fail(fmt::format("{} cells are too many", cells));
   CellTotals totals(index.points);

@@ -151,12 +151,17 @@ RefineReport refine(const RefineFiles& files, const Region& region, const Refine
   check(files);
   require_replaceable_index(files.output.string() + ".cells");
   const common::Workers workers(options.threads);
-  const CellIndex index = read_cells(files.cells);
+  CellIndex index = read_cells(files.cells);
   if (const SourceFile scan(files.large); scan.size() != index.bytes)
     throw Error(Element::file, 0,
                 fmt::format("{}: has {} bytes, its index was made for {}; sample the scan again", scan.name(),
                             scan.size(), index.bytes));
   const Sampling sampling = read_sampling(files.from, files.to, workers);
+  const std::size_t samples = sampling.samples.before.size();
+  if (index.samples != 0 && index.samples != samples)
+    throw Error(Element::file, 0,
+                fmt::format("{}: is the index of a sampling with {} samples, {} has {}; sample the scan again",
+                            files.cells.string(), index.samples, files.from.string(), samples));
   const std::vector<bool> is_inside = samples_in(region, sampling, files.to.string());
   const RegionPoints points = read_region(files.large, index, sampling, is_inside, options.memory, workers);
   if (points.positions.empty() && points.samples > 0)
@@ -186,6 +191,7 @@ RefineReport refine(const RefineFiles& files, const Region& region, const Refine
                });
   }
   write_with(files.from, files.output, added.positions, added.normals, value_of);
+  index.samples = samples + added.positions.size() / 3;
   write_cells(files.output.string() + ".cells", index);
   return {points.points_read, points.positions.size() / 3 + points.samples, added.positions.size() / 3};
 }

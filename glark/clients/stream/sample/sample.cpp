@@ -10,6 +10,7 @@
 #include "glark/clients/stream/sample/assembly.h"
 #include "glark/clients/stream/sample/in_core.h"
 #include "glark/clients/stream/sample/pass/trim_memory.h"
+#include "glark/clients/stream/sample/sample_and_publish.h"
 
 namespace glark::stream {
 namespace {
@@ -128,6 +129,10 @@ void write_samples(const Assembly& assembly, const Cut& cut, const Schema& schem
   report.samples = writer.count();
 }
 
+[[noreturn]] void fail_without_points(const Source& source) {
+  throw Error(Element::file, 0, source.name + ": it has no points; export it again");
+}
+
 }  // namespace
 
 Source file_source(const std::filesystem::path& file, const std::string& format) {
@@ -153,14 +158,24 @@ Source file_source(const std::filesystem::path& file, const std::string& format)
 
 SampleReport sample(const Source& source, const SampleOptions& options, const std::filesystem::path& temporary,
                     const CreateWriter& create) {
+  return sample_and_publish(source, options, temporary, create, [](const SampleReport&) {});
+}
+
+SampleReport sample_and_publish(const Source& source, const SampleOptions& options,
+                                const std::filesystem::path& temporary, const CreateWriter& create,
+                                const std::function<void(const SampleReport&)>& published) {
   check(options);
   require_work(options.work, options.resume);
   const common::Workers workers(options.threads);
   ReadOptions reading;
   reading.keep_invalid = options.skip_invalid;
   BlockSource points(source, reading, workers);
-  if (options.allow_in_core && points.count() && fits_in_core(*points.count(), options.memory))
-    return sample_in_core(points, options, create);
+  if (points.count() == std::uint64_t{0}) fail_without_points(source);
+  if (options.allow_in_core && points.count() && fits_in_core(*points.count(), options.memory)) {
+    SampleReport report = sample_in_core(points, options, create);
+    published(report);
+    return report;
+  }
 
   const bool keeps_states = !options.work.empty() && points.can_seek() && points.count() && !source.identity.empty();
   WorkFolder folder(keeps_states ? options.work : std::filesystem::path(), identity_of(source, options),
@@ -174,6 +189,7 @@ SampleReport sample(const Source& source, const SampleOptions& options, const st
     };
   };
   census = census_of(source, reading, workers, part_done(0, 0.3), checkpoints);
+  if (census.points == 0) fail_without_points(source);
   if (census.cubes.empty())
     throw Error(Element::file, 0, source.name + ": no point has finite coordinates; export it again");
   Plan plan = make_plan(census, options);
@@ -187,6 +203,7 @@ SampleReport sample(const Source& source, const SampleOptions& options, const st
                                      : Cut{.threshold = static_cast<float>(options.error * census.diagonal())};
   SampleReport report = report_of(census, plan);
   write_samples(assembly, cut, points.schema(), options, create, report);
+  published(report);
   folder.finish();
   if (options.progress) options.progress(1);
   return report;

@@ -47,7 +47,8 @@ void OutputLayout::add(const SourceFile& file, const std::string& format, const 
     add_property(channel);
   }
   const Field& field = layout_.channels[at];
-  const double scale = is_colour(channel.name) ? range_of(field.type) / range_of(channel.type) : 1;
+  const double scale =
+      is_colour(channel.name) ? range_of(layout_.schema.channels[at].type) / range_of(channel.type) : 1;
   channels_.push_back({column, field, scale});
 }
 

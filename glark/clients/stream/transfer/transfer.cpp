@@ -38,8 +38,8 @@ void copy_records(std::span<const char> from, std::size_t size, std::size_t size
 class Transfer {
  public:
   Transfer(const Sampling& sampling, const SampleIndex& index, const OutputLayout& out, const TransferOptions& options,
-           const std::string& file)
-      : sampling_(sampling), index_(index), out_(out), options_(options), file_(file) {}
+           std::string file)
+      : sampling_(sampling), index_(index), out_(out), options_(options), file_(std::move(file)) {}
 
   // Writes the edited points of some records, which are copies of those of the input.
   void apply(const Points& points, std::span<char> records) const {
@@ -145,7 +145,7 @@ class Transfer {
   const SampleIndex& index_;
   const OutputLayout& out_;
   const TransferOptions& options_;
-  const std::string& file_;
+  const std::string file_;
 };
 
 // The output of a transfer, with the state that a later run continues from.

@@ -20,6 +20,9 @@ struct Creation {
   WriteOptions options;
 };
 
+// Throws Error for a name whose ending create_points() does not know.
+void require_streamed_ending(const std::filesystem::path& file);
+
 std::unique_ptr<PointWriter> ply_writer(const Creation& creation);
 std::unique_ptr<PointWriter> las_writer(const Creation& creation);
 std::unique_ptr<PointWriter> raw_writer(const Creation& creation);

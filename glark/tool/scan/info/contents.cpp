@@ -37,8 +37,6 @@ namespace fs = std::filesystem;
   return fs::file_size(file, error) == header_size + triangle_size * triangles;
 }
 
-fs::path path_of(const Files& files) { return files.input == "-" ? "/dev/stdin" : files.input; }
-
 // The format's ending in lower case, without that of the compression.
 std::string format_of(const Files& files) {
   if (!files.format.empty()) return files.format;
@@ -109,6 +107,8 @@ geometry::Summary summary_of(const Files& files, Report& attributes) {
 }
 
 }  // namespace
+
+fs::path path_of(const Files& files) { return files.input == "-" ? "/dev/stdin" : files.input; }
 
 bool must_read_in_parts(const Files& files, const Memory& memory) {
   const std::string format = format_of(files);

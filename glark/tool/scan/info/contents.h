@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 
 #include "glark/tool/scan/files.h"
 
@@ -14,6 +15,9 @@ struct Memory {
   std::uint64_t bytes = std::uint64_t{256} << 20;
   bool is_given = false;  // by an option
 };
+
+// The file's path; that of standard input for "-".
+std::filesystem::path path_of(const Files& files);
 
 // Returns whether the input is to be read in parts: it does not fit into the memory, or its format is only read so. The
 // size of a pipe is unknown; it is read in parts if the memory is given. Throws if the memory is given, the input does not

@@ -76,7 +76,7 @@ geometry::Geometry sample(const Files& files, std::size_t target, const PartsOpt
   sampling.threads = options.threads;
   sampling.skip_invalid = files.skip_invalid;
   sampling.progress = [&](double fraction) { progress.show(fraction); };
-  stream::sample(stream::file_source(files.input, files.format), sampling, folder_of(files),
+  stream::sample(stream::file_source(path_of(files), files.format), sampling, folder_of(files),
                  [&](const stream::Schema& schema) { return std::make_unique<GeometryWriter>(schema, samples); });
   return samples;
 }
@@ -84,7 +84,7 @@ geometry::Geometry sample(const Files& files, std::size_t target, const PartsOpt
 // The corners of STL triangles follow one another, three for each.
 void add_triangles_of_corners(const Files& files, ClusterMesh& mesh) {
   const auto reader = stream::open_points(
-      files.input, {.format = files.format, .normals = true, .channels = false, .keep_invalid = files.skip_invalid});
+      path_of(files), {.format = files.format, .normals = true, .channels = false, .keep_invalid = files.skip_invalid});
   std::uint32_t first = 0;
   for (auto points = reader->read(3072); points.size() > 0; points = reader->read(3072)) {
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -127,7 +127,17 @@ void warn_of_other_attributes(const Files& files, const Report& names) {
   if (!lost.empty()) warn(fmt::format("{}: {} are lost, because the file is read in parts", files.input, lost));
 }
 
+// What is read from a pipe is gone.
+void require_passes(const Files& files) {
+  std::error_code error;
+  if (fs::exists(path_of(files), error) && !fs::is_regular_file(path_of(files), error))
+    throw std::runtime_error(files.input +
+                             ": is no regular file, and reading within --memory takes several passes; write it to a "
+                             "disk first, or leave --memory out");
+}
+
 Report contents_of_file(const Files& files) {
+  require_passes(files);
   Report contents = contents_in_parts(files);
   contents.erase("peak_memory_bytes");
   warn_of_other_attributes(files, contents["attributes"]);
@@ -156,7 +166,7 @@ LargeMesh read_in_parts(const Files& files, const PartsOptions& options) {
     add_triangles_of_corners(files, mesh);
   } else {
     Progress progress("reading the triangles of " + files.input);
-    geometry::summarise_file(files.input,
+    geometry::summarise_file(path_of(files),
                              {.skip_invalid = files.skip_invalid, .format = files.format, .visitor = &mesh},
                              [&](double fraction) { progress.show(fraction); });
   }

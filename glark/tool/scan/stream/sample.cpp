@@ -6,6 +6,8 @@
 
 #include <glark/stream.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
@@ -74,6 +76,12 @@ void sample(const Sample& command) {
   warn_without_normals(command.output);
   if (report.left_out > 0)
     warn(fmt::format("{}: {} points with NaN or infinite coordinates are left out", command.input, report.left_out));
+  const std::uint64_t least = options.target - options.target / 100;
+  if (report.samples < std::min<std::uint64_t>(least, report.points - report.left_out))
+    warn(
+        fmt::format("{}: {} samples instead of {}, because its points lie in so few places at the finest size that "
+                    "the memory allows; more --memory may give more",
+                    command.input, report.samples, options.target));
   if (report.is_shuffled)
     warn(command.input + ": the order of its points has no coherence; they went through a temporary file of cells");
   Report printed;
