@@ -78,10 +78,9 @@ void sample(const Sample& command) {
     warn(fmt::format("{}: {} points with NaN or infinite coordinates are left out", command.input, report.left_out));
   const std::uint64_t least = options.target - options.target / 100;
   if (report.samples < std::min<std::uint64_t>(least, report.points - report.left_out))
-    warn(
-        fmt::format("{}: {} samples instead of {}, because its points lie in so few places at the finest size that "
-                    "the memory allows; more --memory may give more",
-                    command.input, report.samples, options.target));
+    warn(fmt::format("{}: {} samples instead of {}, because its points lie in so few places{}", command.input,
+                     report.samples, options.target,
+                     report.in_core ? "" : " at the finest size that the memory allows; more --memory may give more"));
   if (report.is_shuffled)
     warn(command.input + ": the order of its points has no coherence; they went through a temporary file of cells");
   Report printed;
