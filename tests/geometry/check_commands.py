@@ -51,6 +51,16 @@ class Commands(CommandCase):
                 report = json.loads(done.stdout)
                 self.assertEqual(count, report.get("input", report)["points"], (command, ending))
 
+    def test_stl_far_from_zero_is_a_warning(self):
+        self.needs("simplify")
+        points, triangles = sphere(10)
+        far = self.path / "far.off"
+        far.write_text(f"OFF\n{len(points)} {len(triangles)} 0\n" + "".join(f"{x + 5e6} {y} {z}\n" for x, y, z in points)
+                       + "".join(f"3 {a} {b} {c}\n" for a, b, c in triangles))
+        for output, is_lossy in (("a.stl", True), ("a.obj", False), ("a.ply", False)):
+            done = self.glark("simplify", far, "-o", output, "--target", "100000")
+            self.assertEqual(is_lossy, "STL has floats" in done.stderr, (output, done.stderr))
+
     def test_measure_of_the_same_is_nothing(self):
         quality = self.report("info", self.sphere, "--measure", self.sphere)["quality"]
         self.assertLess(quality["hausdorff_percent"], 1e-6)

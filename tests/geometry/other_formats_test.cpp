@@ -203,5 +203,19 @@ TEST_F(OtherFormats, TheWantedFormatCountsMoreThanTheName) {
   EXPECT_EQ(2U, read_file(file, {.format = ".xyz"}).geometry.point_count());
 }
 
+TEST_F(OtherFormats, ObjFarFromZeroIsAWarning) {
+  const auto warnings = [&](double x) {
+    std::string text;
+    for (const double step : {0.0, 1.0, 2.0})
+      text += "v " + std::to_string(x + step) + " 0 " + std::to_string(step * step) + "\n";
+    return read_file(made("a.obj", text + "f 1 2 3\n"), {}).warnings;
+  };
+  EXPECT_TRUE(warnings(0).empty());
+  EXPECT_TRUE(warnings(500).empty());
+  const std::vector<std::string> far = warnings(6e6);
+  ASSERT_EQ(far.size(), 1U);
+  EXPECT_NE(far[0].find("convert it to PLY with doubles"), std::string::npos) << far[0];
+}
+
 }  // namespace
 }  // namespace glark::geometry

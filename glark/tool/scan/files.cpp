@@ -5,6 +5,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <filesystem>
 
 #include "glark/clients/geometry/formats.h"
@@ -65,10 +68,26 @@ geometry::Geometry load(const std::string& file, const Files& files) {
   return std::move(reading.geometry);
 }
 
+namespace {
+
+void warn_of_coarse_floats(const geometry::Geometry& geometry, const std::string& output) {
+  std::string ending = std::filesystem::path(output).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(),
+                 [](unsigned char letter) { return std::tolower(letter); });
+  double farthest = 0;
+  for (const double origin : geometry.origin) farthest = std::max(farthest, std::abs(origin));
+  if (ending == ".stl" && farthest > 0)
+    warn(fmt::format("{}: STL has floats, which are {:.2g} apart so far from zero; PLY, OBJ and XYZ keep the digits",
+                     output, farthest * 0x1p-23));
+}
+
+}  // namespace
+
 void store(const geometry::Geometry& geometry, const Files& files) {
   const Progress progress("writing " + files.output);
   const std::uintmax_t others = other_names(files.output);
   geometry::write_file(files.output, geometry, {.text = files.text});
+  warn_of_coarse_floats(geometry, files.output);
   if (others > 0)
     warn(fmt::format("{}: other hard links to the old file keep the old contents: {}", files.output, others));
 }

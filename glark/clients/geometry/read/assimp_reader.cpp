@@ -152,6 +152,26 @@ Importing importing(MeshFormat format, std::span<const char> bytes) {
   return {"glTF", is_glb(bytes) ? "glb" : "gltf", aiProcess_PreTransformVertices};
 }
 
+// Floats are far apart where coordinates are large. Returns a warning if this shows, or an empty text.
+std::string warning_of_coarse_floats(const Geometry& geometry) {
+  constexpr double share_that_shows = 1e-4;  // of the diagonal
+  std::array<double, 3> low{}, high{};
+  for (std::size_t i = 0; i < geometry.positions.size(); ++i) {
+    const auto coordinate = static_cast<double>(geometry.positions[i]);
+    low[i % 3] = i < 3 ? coordinate : std::min(low[i % 3], coordinate);
+    high[i % 3] = i < 3 ? coordinate : std::max(high[i % 3], coordinate);
+  }
+  double farthest = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) farthest = std::max({farthest, -low[axis], high[axis]});
+  const double step = farthest * 0x1p-23;
+  const double diagonal = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+  if (step <= share_that_shows * diagonal || diagonal == 0) return {};
+  return fmt::format(
+      "the coordinates lie so far from zero that floats are {:.2g} apart there, and a model of this format "
+      "is read as floats; move it to zero, or convert it to PLY with doubles",
+      step);
+}
+
 }  // namespace
 
 Reading read_by_assimp(Input& input, MeshFormat format, const ReadOptions& options) {
@@ -171,6 +191,7 @@ Reading read_by_assimp(Input& input, MeshFormat format, const ReadOptions& optio
   Reading reading = Scene(input.name(), *scene, format == MeshFormat::gltf, options).gather();
   importer.FreeScene();
   if (!warning.empty()) reading.warnings.push_back(warning);
+  if (warning = warning_of_coarse_floats(reading.geometry); !warning.empty()) reading.warnings.push_back(warning);
   if (format == MeshFormat::stl)
     // These are the normals of the faces. With these normals, no two triangles would share a vertex.
     reading.geometry.normals = {};
