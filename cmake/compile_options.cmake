@@ -9,6 +9,11 @@ target_compile_options(glark_options INTERFACE
   $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<BOOL:${GLARK_WERROR}>>:-Werror>)
 # GCC 12 warns of overlaps that are not there in "literal" + std::to_string(x) (GCC bug 105329).
 target_compile_options(glark_options INTERFACE $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<CXX_COMPILER_ID:GNU>>:-Wno-restrict>)
+# The checks that sanitizers add make GCC warn of values that are always set (GCC's manual, -fsanitize=address).
+if(GLARK_SANITIZE)
+  target_compile_options(glark_options INTERFACE
+    $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<CXX_COMPILER_ID:GNU>>:-Wno-maybe-uninitialized>)
+endif()
 # Bits are compared across machines and builds: no contraction of a*b+c on the CPU side.
 target_compile_options(glark_options INTERFACE -ffp-contract=off)
 # On i386, GCC computes with 80 bits unless it is told otherwise, and believes that its callers align the stack. Programs
