@@ -78,6 +78,7 @@ SampleReport report_of(const Census& census, const Plan& plan) {
   report.points = census.points;
   report.left_out = census.left_out;
   report.is_shuffled = plan.is_shuffled;
+  report.cells.reserve(plan.cells.size());
   for (std::size_t i = 0; i < plan.cells.size(); ++i) {
     const Cell& cell = plan.cells[i];
     report.cells.push_back({plan.corner(i), plan.side(i), cell.count, cell.first, cell.last, 0, 0, 0});

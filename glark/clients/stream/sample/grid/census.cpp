@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint64_t batch = 1 << 20;
 constexpr std::size_t probes = 64, points_a_probe = 64;
-constexpr std::size_t least_of_thread = 1024;  // cubes
+constexpr std::size_t least_of_thread = 512;  // cubes
 
 bool is_finite(const double* position) {
   return std::isfinite(position[0]) && std::isfinite(position[1]) && std::isfinite(position[2]);
@@ -207,7 +207,7 @@ Census take_census(BlockSource& source, const CensusOptions& options, const Adva
   begun.cubes = {};
   std::mutex mutex;
   const std::size_t threads = std::bit_ceil(std::max<std::size_t>(2, options.threads));
-  const std::size_t most_of_thread = std::max(least_of_thread, 2 * options.most_cubes / threads);
+  const std::size_t most_of_thread = std::max(least_of_thread, options.most_cubes / threads);
   tbb::enumerable_thread_specific<Counts> counts([&] { return Counts(shared, mutex, most_of_thread); });
   std::uint64_t done = begin;
   const auto counted = [&] {

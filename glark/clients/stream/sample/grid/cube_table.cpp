@@ -66,9 +66,9 @@ void BoundedCubes::add(const Cube& cube) {
 void BoundedCubes::coarsen_to(unsigned level) {
   if (level <= level_) return;
   level_ = level;
-  CubeTable coarse;
-  table_.each([&](const Cube& cube) { coarse.at(key_at_level(cube.key, level)).add(cube); });
-  table_ = std::move(coarse);
+  std::vector<Cube> cubes = table_.sorted();
+  table_ = CubeTable();  // before the next one grows
+  for (const Cube& cube : cubes) table_.at(key_at_level(cube.key, level)).add(cube);
 }
 
 }  // namespace glark::stream

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "glark/clients/stream/sample/pass/plan.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -17,6 +19,8 @@ constexpr double bytes_unfinished = 180;  // of a micro-cluster in a table, with
 constexpr double most_clusters = 1 << 16, least_clusters = 256;
 constexpr double least_volume = 2.5;  // the dimension of points that fill a volume, or a part of one
 constexpr double bytes_a_cube = 256;  // of the first pass: a cube in the tables of all threads
+
+constexpr double bytes_a_cell = 768;  // in the plan, the tree over all cells, the report and the index
 
 // What is left for the pass.
 double room_of(std::size_t memory) { return static_cast<double>(memory - std::min(memory / 5 * 3, program_bytes)); }
@@ -69,13 +73,21 @@ Plan make_plan(const Census& census, const SampleOptions& options) {
                                    .least_level = census.level,
                                    .most_level = static_cast<unsigned>(most_bits - plan.finer)});
   };
+  const auto most_cells = static_cast<std::size_t>(room / bytes_a_cell);
   for (double clusters = at_once; clusters >= least_clusters; clusters /= 2) {
     plan.cells = cells_with(clusters);
+    if (plan.cells.size() > most_cells) break;
     const double open = most_open_points(plan.cells) / each;
     if (open * bytes_unfinished <= static_cast<double>(plan.open_bytes)) return plan;
   }
   plan.is_shuffled = true;
   plan.cells = cells_with(at_once);
+  if (plan.cells.size() > most_cells)
+    throw Error(
+        Element::option, 0,
+        fmt::format("glark-stream: memory is {} bytes, which {} cells fit into; this sampling needs {}: raise the "
+                    "memory, or take fewer samples",
+                    options.memory, most_cells, plan.cells.size()));
   return plan;
 }
 

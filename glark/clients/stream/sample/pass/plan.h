@@ -41,6 +41,7 @@ struct Plan {
 inline constexpr std::size_t trees_at_a_time = 4;
 // The most occupied cubes that the first pass may count in this memory: a power of two.
 std::size_t most_cubes(std::size_t memory);
+// Throws Error if the cells alone take more memory than the options allow.
 Plan make_plan(const Census& census, const SampleOptions& options);
 
 }  // namespace glark::stream
