@@ -243,6 +243,27 @@ class Commands(unittest.TestCase):
         self.assertLess(self.peak("sample", large, "-o", self.path / "small.ply", "--target", 50000, "--memory",
                                   "40MiB", "--json"), 40 * MIB)
 
+    def test_points_that_fill_a_volume_keep_the_bound(self):
+        points = numpy.random.default_rng(1).random((1000000, 3), numpy.float32)
+        points[:, 2] *= 0.3
+        strips = points[numpy.lexsort((points[:, 1], numpy.floor(20 * points[:, 0])))]
+        noise = numpy.concatenate([points[:500000] - 0.5, 0.3 * numpy.random.default_rng(2).normal(size=(500000, 3))])
+        noise[:500000] /= numpy.linalg.norm(noise[:500000], axis=1, keepdims=True)
+        large, small = self.path / "large.raw", self.path / "small.ply"
+        for cloud, target in ((points, 5000), (strips, 5000), (strips, 100000), (noise, 5000), (points[:60000], 5000)):
+            cloud.astype("<f4").tofile(large)
+            for memory in (40, 64):
+                peak = self.peak("sample", large, "-o", small, "--target", target, "--memory", f"{memory}MiB", "--json")
+                self.assertLess(peak, memory * MIB)
+                samples = int(small.read_bytes().partition(b"element vertex ")[2].split()[0])
+                self.assertLessEqual(samples, target)
+                self.assertGreaterEqual(samples, 0.99 * target)
+
+    def test_points_in_memory_keep_the_bound(self):
+        large, small = self.path / "large.raw", self.path / "small.ply"
+        numpy.random.default_rng(1).random((300000, 3), numpy.float32).tofile(large)
+        self.assertLess(self.peak("sample", large, "-o", small, "--target", 5000, "--memory", "100MiB", "--json"), 100 * MIB)
+
     def test_a_killed_run_continues(self):
         for shuffled in (False, True):
             large = write_scan(self.path / "large.raw", 1400000, shuffled)

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <random>
 
+#include "glark/clients/stream/sample/grid/cube_table.h"
+#include "glark/clients/stream/sample/pass/plan.h"
 #include "tests/stream/temporary_folder.h"
 
 namespace glark::stream {
@@ -113,6 +115,61 @@ TEST_F(Sampling, TheThreadsDoNotMatter) {
   sample_file(file, path("b.ply"), {.target = 3000, .threads = 1});
   sample_file(file, path("c.ply"), {.target = 3000, .threads = 2});
   EXPECT_TRUE(bytes_of(path("b.ply")) == bytes_of(path("c.ply")));
+}
+
+// They occupy more cubes than the memory has room for, so that cubes are merged.
+TEST_F(Sampling, TheThreadsDoNotMatterForPointsThatFillAVolume) {
+  const auto writer = create_points(path("a.ply"), {Number::float32, false, {}});
+  std::mt19937 random(1);
+  std::vector<double> positions(3 * 200000);
+  for (double& position : positions) position = std::uniform_real_distribution<double>()(random);
+  writer->write({0, positions, {}, {}});
+  writer->finish();
+  for (const unsigned threads : {1U, 2U, 5U}) {
+    const SampleReport report = sample_file(path("a.ply"), path("b.ply"), {.target = 3000, .threads = threads});
+    EXPECT_EQ(report.samples, 3000U);
+    if (threads == 1)
+      std::filesystem::rename(path("b.ply"), path("c.ply"));
+    else
+      EXPECT_TRUE(bytes_of(path("b.ply")) == bytes_of(path("c.ply")));
+  }
+}
+
+TEST(BoundedCubes, TheOrderDoesNotMatter) {
+  std::vector<Cube> cubes;
+  for (std::uint64_t i = 0; i < 600; ++i) cubes.push_back({.key = i * i, .count = i + 1, .first = i, .last = 2 * i});
+  std::vector<Cube> before;
+  for (unsigned seed = 0; seed < 4; ++seed) {
+    std::shuffle(cubes.begin(), cubes.end(), std::mt19937(seed));
+    BoundedCubes bounded(64);
+    for (const Cube& cube : cubes) bounded.add(cube);
+    const std::vector<Cube> sorted = bounded.sorted();
+    EXPECT_LE(sorted.size(), 64U);
+    EXPECT_GT(sorted.size(), 8U);
+    std::uint64_t count = 0;
+    for (const Cube& cube : sorted) {
+      EXPECT_EQ(cube.key, key_at_level(cube.key, bounded.level()));
+      count += cube.count;
+    }
+    EXPECT_EQ(count, 600U * 601 / 2);
+    if (seed == 0) before = sorted;
+    EXPECT_TRUE(
+        std::equal(sorted.begin(), sorted.end(), before.begin(), before.end(), [](const Cube& a, const Cube& b) {
+          return a.key == b.key && a.count == b.count && a.first == b.first && a.last == b.last;
+        }));
+  }
+}
+
+// Each cube has so many points that it would be several cells; 40 MiB are too little for so many cells.
+TEST(Plan, TooManyCellsAreAnError) {
+  Census census;
+  for (std::uint64_t i = 0; i < 65536; ++i)
+    census.cubes.push_back({.key = i, .count = 1000000, .first = 1000000 * i, .last = 1000000 * (i + 1) - 1});
+  census.points = 65536 * std::uint64_t{1000000};
+  EXPECT_NE(
+      problem_of([&] { make_plan(census, {.target = 100000000, .memory = std::size_t{40} << 20}); }).find("cells"),
+      std::string::npos);
+  EXPECT_FALSE(make_plan(census, {.target = 10000, .memory = std::size_t{40} << 20}).cells.empty());
 }
 
 TEST_F(Sampling, ShuffledPointsGiveAsGoodSamples) {

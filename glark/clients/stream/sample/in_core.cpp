@@ -13,7 +13,15 @@
 namespace glark::stream {
 namespace {
 
-constexpr double bytes_a_point = 260;  // of vstree::simplify() with its input and its result
+// The memory of vstree::simplify() with its input and its result. Measured with points that fill a volume, which take
+// more than those of a surface.
+constexpr double base_bytes = 16 << 20;      // of the program
+constexpr double least_bytes_a_point = 290;  // of the memory that the caller allows
+struct InCoreBytes {
+  double a_point, a_sample;
+};
+constexpr InCoreBytes with_normals{160, 480};
+constexpr InCoreBytes without_normals{400, 250};  // while normals are estimated
 
 struct AllPoints {
   std::array<double, 3> origin{};
@@ -55,8 +63,12 @@ AllPoints read_points(BlockSource& source, const PointKind& kind, const Progress
 
 }  // namespace
 
-bool fits_in_core(std::uint64_t points, std::size_t memory) {
-  return static_cast<double>(points) * bytes_a_point <= 0.9 * static_cast<double>(memory);
+bool fits_in_core(std::uint64_t points, bool has_normals, const SampleOptions& options) {
+  const InCoreBytes bytes = has_normals ? with_normals : without_normals;
+  const std::uint64_t samples = options.target == 0 ? points : std::min<std::uint64_t>(options.target, points);
+  const double all =
+      base_bytes + bytes.a_point * static_cast<double>(points) + bytes.a_sample * static_cast<double>(samples);
+  return std::max(all, least_bytes_a_point * static_cast<double>(points)) <= static_cast<double>(options.memory);
 }
 
 Schema sampling_schema(const Schema& source, bool has_colours) {

@@ -8,8 +8,8 @@ namespace glark::stream {
 
 using CreateWriter = std::function<std::unique_ptr<PointWriter>(const Schema&)>;
 
-// Whether vstree::simplify() of this many points fits in the memory.
-bool fits_in_core(std::uint64_t points, std::size_t memory);
+// Whether vstree::simplify() of this many points fits in the memory, whatever they fill.
+bool fits_in_core(std::uint64_t points, bool has_normals, const SampleOptions& options);
 // Samples with vstree::simplify().
 SampleReport sample_in_core(BlockSource& source, const SampleOptions& options, const CreateWriter& create);
 

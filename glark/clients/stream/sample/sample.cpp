@@ -79,6 +79,7 @@ SampleReport report_of(const Census& census, const Plan& plan) {
   report.points = census.points;
   report.left_out = census.left_out;
   report.is_shuffled = plan.is_shuffled;
+  report.cells.reserve(plan.cells.size());
   for (std::size_t i = 0; i < plan.cells.size(); ++i) {
     const Cell& cell = plan.cells[i];
     report.cells.push_back({plan.corner(i), plan.side(i), cell.count, cell.first, cell.last, 0, 0, 0});
@@ -88,7 +89,7 @@ SampleReport report_of(const Census& census, const Plan& plan) {
 
 // All that the saved states depend on.
 std::string identity_of(const Source& source, const SampleOptions& options) {
-  return fmt::format("glark sample 1\n{}\n{} {} {} {} {}\n", source.identity, options.target, options.error,
+  return fmt::format("glark sample 2\n{}\n{} {} {} {} {}\n", source.identity, options.target, options.error,
                      options.memory, options.skip_invalid, options.allow_in_core);
 }
 
@@ -107,12 +108,12 @@ std::unique_ptr<TreeStore> make_trees(const PassInput& input, Plan& plan, const 
   return trees;
 }
 
-Census census_of(const Source& source, const ReadOptions& reading, const common::Workers& workers,
-                 const Advance& advance, Checkpoints& checkpoints) {
+Census census_of(const Source& source, const ReadOptions& reading, const CensusOptions& options,
+                 const common::Workers& workers, const Advance& advance, Checkpoints& checkpoints) {
   ReadOptions positions_only = reading;
   positions_only.normals = positions_only.channels = false;
   BlockSource points(source, positions_only, workers);
-  return take_census(points, choose_lattice(source, reading, grid_levels), advance, checkpoints);
+  return take_census(points, options, advance, checkpoints);
 }
 
 // Writes the samples to a new file, and notes in `report` which cells have them.
@@ -171,7 +172,7 @@ SampleReport sample_and_publish(const Source& source, const SampleOptions& optio
   reading.keep_invalid = options.skip_invalid;
   BlockSource points(source, reading, workers);
   if (points.count() == std::uint64_t{0}) fail_without_points(source);
-  if (options.allow_in_core && points.count() && fits_in_core(*points.count(), options.memory)) {
+  if (options.allow_in_core && points.count() && fits_in_core(*points.count(), points.schema().normals, options)) {
     SampleReport report = sample_in_core(points, options, create);
     published(report);
     return report;
@@ -188,7 +189,9 @@ SampleReport sample_and_publish(const Source& source, const SampleOptions& optio
       if (options.progress) options.progress(std::min(1.0, begin + share * static_cast<double>(done) / all));
     };
   };
-  census = census_of(source, reading, workers, part_done(0, 0.3), checkpoints);
+  const CensusOptions counting{choose_lattice(source, reading, grid_levels), most_cubes(options.memory),
+                               workers.count()};
+  census = census_of(source, reading, counting, workers, part_done(0, 0.3), checkpoints);
   if (census.points == 0) fail_without_points(source);
   if (census.cubes.empty())
     throw Error(Element::file, 0, source.name + ": no point has finite coordinates; export it again");

@@ -8,12 +8,11 @@
 namespace glark::stream {
 namespace {
 
-void divide(std::span<const Cube> cubes, unsigned level, std::uint64_t most_points, unsigned most_level,
-            std::vector<Cell>& cells) {
+void divide(std::span<const Cube> cubes, unsigned level, const CellLimits& limits, std::vector<Cell>& cells) {
   if (cubes.empty()) return;
   std::uint64_t count = 0;
   for (const Cube& cube : cubes) count += cube.count;
-  if (level == 0 || (count <= most_points && level <= most_level)) {
+  if (level == limits.least_level || (count <= limits.points && level <= limits.most_level)) {
     Cell cell{.key = cubes.front().key >> (3 * level) << (3 * level), .level = level, .count = count};
     for (const Cube& cube : cubes) {
       cell.first = std::min(cell.first, cube.first);
@@ -28,16 +27,16 @@ void divide(std::span<const Cube> cubes, unsigned level, std::uint64_t most_poin
     const auto end =
         std::find_if(cubes.begin(), cubes.end(), [&](const Cube& cube) { return cube.key >> shift != child; });
     const auto size = static_cast<std::size_t>(end - cubes.begin());
-    divide(cubes.first(size), level - 1, most_points, most_level, cells);
+    divide(cubes.first(size), level - 1, limits, cells);
     cubes = cubes.subspan(size);
   }
 }
 
 }  // namespace
 
-std::vector<Cell> cells_of(const std::vector<Cube>& cubes, std::uint64_t most_points, unsigned most_level) {
+std::vector<Cell> cells_of(const std::vector<Cube>& cubes, const CellLimits& limits) {
   std::vector<Cell> cells;
-  divide(cubes, Lattice::levels, most_points, most_level, cells);
+  divide(cubes, Lattice::levels, limits, cells);
   return cells;
 }
 

@@ -18,8 +18,14 @@ struct Cell {
   std::uint64_t first = Cube::no_key, last = 0;  // the range of the stream that has its points
 };
 
-// Returns the cells in the order of their keys. A cube of the lattice is not divided, whatever it has.
-std::vector<Cell> cells_of(const std::vector<Cube>& cubes, std::uint64_t most_points, unsigned most_level);
+struct CellLimits {
+  std::uint64_t points = 1;  // the most of a cell
+  unsigned least_level = 0;  // that of the cubes that were counted
+  unsigned most_level = Lattice::levels;
+};
+
+// Returns the cells in the order of their keys. A cube that was counted is not divided, whatever it has.
+std::vector<Cell> cells_of(const std::vector<Cube>& cubes, const CellLimits& limits);
 
 // Estimates the greatest number of points that are in unfinished cells at one time, if the stream is read in order. A
 // cell is assumed to fill evenly between its first and its last point.

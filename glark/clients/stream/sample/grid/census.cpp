@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <limits>
+#include <mutex>
 
 #include "glark/clients/stream/format/layout.h"
 
@@ -14,6 +16,7 @@ namespace {
 
 constexpr std::uint64_t batch = 1 << 20;
 constexpr std::size_t probes = 64, points_a_probe = 64;
+constexpr std::size_t least_of_thread = 512;  // cubes
 
 bool is_finite(const double* position) {
   return std::isfinite(position[0]) && std::isfinite(position[1]) && std::isfinite(position[2]);
@@ -33,14 +36,44 @@ bool is_within_floats(const double* position) {
                           file, point, position[k]));
 }
 
-// Counts of one thread.
-struct Counts {
-  CubeTable table;
-  std::uint64_t left_out = 0;
-  std::array<double, 3> low, high;
-  Counts() {
-    low.fill(std::numeric_limits<double>::infinity());
-    high.fill(-std::numeric_limits<double>::infinity());
+// What all threads have counted.
+class SharedCounts {
+ public:
+  SharedCounts(const Census& begun, std::size_t most_cubes) : all_(begun), cubes_(most_cubes) {
+    cubes_.coarsen_to(begun.level);
+    for (const Cube& cube : begun.cubes) cubes_.add(cube);
+    all_.cubes = {};
+  }
+  unsigned level() const { return cubes_.level(); }
+  void add(const CubeTable& table) {
+    table.each([&](const Cube& cube) { cubes_.add(cube); });
+  }
+  void add_others(std::uint64_t left_out, const std::array<double, 3>& low, const std::array<double, 3>& high) {
+    all_.left_out += left_out;
+    for (std::size_t k = 0; k < 3; ++k) {
+      all_.low[k] = std::min(all_.low[k], low[k]);
+      all_.high[k] = std::max(all_.high[k], high[k]);
+    }
+  }
+  Census census(std::uint64_t points) const {
+    Census census = all_;
+    census.points = points;
+    census.level = cubes_.level();
+    census.cubes = cubes_.sorted();
+    return census;
+  }
+
+ private:
+  Census all_;
+  BoundedCubes cubes_;
+};
+
+// Counts of one thread. They go to the shared ones when there are many.
+class Counts {
+ public:
+  Counts(SharedCounts& shared, std::mutex& mutex, std::size_t most_cubes)
+      : shared_(shared), mutex_(mutex), most_cubes_(most_cubes) {
+    reset_box();
   }
 
   void add(const Points& points, const Lattice& lattice, const std::string& file) {
@@ -50,49 +83,52 @@ struct Counts {
       const double* position = &points.positions[3 * i];
       if (!is_within_floats(position)) {
         if (is_finite(position)) fail_beyond_floats(file, points.first + i, position);
-        ++left_out;
+        ++left_out_;
         continue;
       }
       const std::array<std::uint32_t, 3> here = lattice.cube(position);
-      if (cube == nullptr || here != place) cube = &table.at(Lattice::key(here));
+      if (cube == nullptr || here != place) {
+        if (table_.size() >= most_cubes_) share();
+        cube = &table_.at(key_at_level(Lattice::key(here), level_));
+      }
       place = here;
       ++cube->count;
       cube->first = std::min(cube->first, points.first + i);
       cube->last = std::max(cube->last, points.first + i);
       for (std::size_t k = 0; k < 3; ++k) {
-        low[k] = std::min(low[k], position[k]);
-        high[k] = std::max(high[k], position[k]);
+        low_[k] = std::min(low_[k], position[k]);
+        high_[k] = std::max(high_[k], position[k]);
       }
     }
   }
-};
-
-// What was counted before, and by all threads.
-Census sum_of(const Census& before, const tbb::enumerable_thread_specific<Counts>& counts, std::uint64_t points) {
-  CubeTable table;
-  const auto add = [&](const Cube& cube) {
-    Cube& sum = table.at(cube.key);
-    sum.count += cube.count;
-    sum.first = std::min(sum.first, cube.first);
-    sum.last = std::max(sum.last, cube.last);
-  };
-  Census all = before;
-  all.points = points;
-  for (const Cube& cube : before.cubes) add(cube);
-  for (const Counts& some : counts) {
-    for (const Cube& cube : some.table.sorted()) add(cube);
-    all.left_out += some.left_out;
-    for (std::size_t k = 0; k < 3; ++k) {
-      all.low[k] = std::min(all.low[k], some.low[k]);
-      all.high[k] = std::max(all.high[k], some.high[k]);
-    }
+  void share() {
+    const std::lock_guard lock(mutex_);
+    shared_.add(table_);
+    shared_.add_others(left_out_, low_, high_);
+    level_ = shared_.level();
+    table_.clear();
+    left_out_ = 0;
+    reset_box();
   }
-  all.cubes = table.sorted();
-  return all;
-}
+
+ private:
+  void reset_box() {
+    low_.fill(std::numeric_limits<double>::infinity());
+    high_.fill(-std::numeric_limits<double>::infinity());
+  }
+
+  SharedCounts& shared_;
+  std::mutex& mutex_;
+  std::size_t most_cubes_;
+  CubeTable table_;
+  unsigned level_ = 0;
+  std::uint64_t left_out_ = 0;
+  std::array<double, 3> low_{}, high_{};
+};
 
 void save(const Census& census, StateWriter& state) {
   state.put(census.lattice);
+  state.put(census.level);
   state.put(census.points);
   state.put(census.left_out);
   state.put(census.low);
@@ -101,8 +137,8 @@ void save(const Census& census, StateWriter& state) {
 }
 
 bool load(StateReader& state, Census& census) {
-  return state.get(census.lattice) && state.get(census.points) && state.get(census.left_out) && state.get(census.low) &&
-         state.get(census.high) && state.get_all(census.cubes);
+  return state.get(census.lattice) && state.get(census.level) && state.get(census.points) &&
+         state.get(census.left_out) && state.get(census.low) && state.get(census.high) && state.get_all(census.cubes);
 }
 
 // Positions from all over the source; from its beginning if it cannot seek.
@@ -125,43 +161,6 @@ std::array<std::vector<double>, 3> some_positions(const Source& source, const Re
 
 }  // namespace
 
-Cube& CubeTable::at(std::uint64_t key) {
-  if (2 * used_ >= slots_.size()) grow();
-  std::size_t i = place(key, slots_.size());
-  while (slots_[i].key != key && slots_[i].key != Cube::no_key) i = (i + 1) & (slots_.size() - 1);
-  if (slots_[i].key == Cube::no_key) {
-    slots_[i].key = key;
-    ++used_;
-  }
-  return slots_[i];
-}
-
-const Cube* CubeTable::find(std::uint64_t key) const {
-  std::size_t i = place(key, slots_.size());
-  while (slots_[i].key != key && slots_[i].key != Cube::no_key) i = (i + 1) & (slots_.size() - 1);
-  return slots_[i].key == key ? &slots_[i] : nullptr;
-}
-
-void CubeTable::grow() {
-  std::vector<Cube> old(2 * slots_.size());
-  old.swap(slots_);
-  for (const Cube& cube : old) {
-    if (cube.key == Cube::no_key) continue;
-    std::size_t i = place(cube.key, slots_.size());
-    while (slots_[i].key != Cube::no_key) i = (i + 1) & (slots_.size() - 1);
-    slots_[i] = cube;
-  }
-}
-
-std::vector<Cube> CubeTable::sorted() const {
-  std::vector<Cube> cubes;
-  cubes.reserve(used_);
-  for (const Cube& cube : slots_)
-    if (cube.key != Cube::no_key) cubes.push_back(cube);
-  std::sort(cubes.begin(), cubes.end(), [](const Cube& a, const Cube& b) { return a.key < b.key; });
-  return cubes;
-}
-
 // The box holds all but a hundredth of the points at each end, and a fifth more.
 Lattice choose_lattice(const Source& source, const ReadOptions& options, unsigned levels) {
   std::array<std::vector<double>, 3> found = some_positions(source, options);
@@ -182,29 +181,48 @@ Lattice choose_lattice(const Source& source, const ReadOptions& options, unsigne
   return lattice;
 }
 
-Census take_census(BlockSource& source, const Lattice& lattice, const Advance& advance, Checkpoints& checkpoints) {
+double Census::dimension() const {
+  std::size_t larger = 0;
+  std::uint64_t before = Cube::no_key;
+  for (const Cube& cube : cubes) {
+    const std::uint64_t key = key_at_level(cube.key, level + 1);
+    if (key != before) ++larger;
+    before = key;
+  }
+  return std::log2(static_cast<double>(cubes.size()) / static_cast<double>(larger));
+}
+
+Census take_census(BlockSource& source, const CensusOptions& options, const Advance& advance,
+                   Checkpoints& checkpoints) {
   constexpr const char* name = "census";
   Census begun;
-  begun.lattice = lattice;
+  begun.lattice = options.lattice;
   begun.low.fill(std::numeric_limits<double>::infinity());
   begun.high.fill(-std::numeric_limits<double>::infinity());
   if (Census saved = begun; checkpoints.folder().load(name, [&](StateReader& state) { return load(state, saved); }))
     begun = std::move(saved);
   checkpoints.begin(begun.points);
-  tbb::enumerable_thread_specific<Counts> counts;
-  std::uint64_t done = begun.points;
-  const auto save_state = [&] {
-    checkpoints.folder().save(name, [&](StateWriter& state) { save(sum_of(begun, counts, done), state); });
+  const std::uint64_t begin = begun.points;
+  SharedCounts shared(begun, options.most_cubes);
+  begun.cubes = {};
+  std::mutex mutex;
+  const std::size_t threads = std::bit_ceil(std::max<std::size_t>(2, options.threads));
+  const std::size_t most_of_thread = std::max(least_of_thread, options.most_cubes / threads);
+  tbb::enumerable_thread_specific<Counts> counts([&] { return Counts(shared, mutex, most_of_thread); });
+  std::uint64_t done = begin;
+  const auto counted = [&] {
+    for (Counts& some : counts) some.share();
+    return shared.census(done);
   };
-  const auto count = [&](const Points& points) { counts.local().add(points, lattice, source.name()); };
+  const auto count = [&](const Points& points) { counts.local().add(points, options.lattice, source.name()); };
   for (std::uint64_t read = 1; read > 0;) {
     read = source.each(done, done + batch, count);
     done += read;
     if (advance) advance(done);
-    if (checkpoints.is_due(done)) save_state();
+    if (checkpoints.is_due(done)) checkpoints.folder().save(name, [&](StateWriter& state) { save(counted(), state); });
   }
-  if (done > begun.points) save_state();
-  return sum_of(begun, counts, done);
+  if (done > begin) checkpoints.folder().save(name, [&](StateWriter& state) { save(counted(), state); });
+  return counted();
 }
 
 }  // namespace glark::stream

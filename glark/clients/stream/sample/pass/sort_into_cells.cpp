@@ -10,7 +10,7 @@
 namespace glark::stream {
 namespace {
 
-constexpr std::size_t points_at_once = 1 << 15, read_size = 1 << 13;
+constexpr std::size_t points_at_once = 1 << 15, read_size = 1 << 12;
 constexpr float normal_steps = 32767;
 
 struct StoredPoint {
@@ -39,7 +39,7 @@ class CellSorter {
       begins_[i] = begin;
       begin += plan_.cells[i].count;
     }
-    buffer_size_ = std::clamp<std::size_t>(plan_.open_bytes / sizeof(StoredPoint) / begins_.size(), 16, 1 << 16);
+    buffer_size_ = std::clamp<std::size_t>(plan_.open_bytes / sizeof(StoredPoint) / begins_.size(), 1, 1 << 16);
   }
 
   void run() {
@@ -47,9 +47,7 @@ class CellSorter {
     for (const std::size_t group = trees_at_a_time; next_cell_ < begins_.size();) {
       const std::size_t first = next_cell_;
       next_cell_ = std::min(begins_.size(), first + group);
-      input_.workers.each(next_cell_ - first, 1, [&](std::size_t from, std::size_t to) {
-        for (std::size_t i = from; i < to; ++i) build_tree(first + i);
-      });
+      build_trees(first, next_cell_);
       trim_memory(plan_.memory);
       const std::uint64_t done = next_cell_ < begins_.size() ? begins_[next_cell_] : input_.census.points;
       if (input_.advance) input_.advance(input_.census.points / 2 + done / 2);
@@ -151,10 +149,10 @@ class CellSorter {
     buffer.clear();
   }
 
-  void build_tree(std::size_t cell) {
+  // Sums up the points of a cell. Returns false if there are too many micro-clusters.
+  bool fill(MicroTable& table, std::size_t cell, unsigned bits) const {
     const double half = plan_.side(cell) / 2;
-    const CellFrame frame({-half, -half, -half}, plan_.side(cell), plan_.bits(cell));
-    MicroTable table;
+    const CellFrame frame({-half, -half, -half}, plan_.side(cell), bits);
     std::vector<StoredPoint> points;
     for (std::uint64_t done = 0; done < plan_.cells[cell].count; done += points.size()) {
       points.resize(static_cast<std::size_t>(std::min<std::uint64_t>(read_size, plan_.cells[cell].count - done)));
@@ -167,9 +165,42 @@ class CellSorter {
         point.colour = stored.colour;
         table.add(MicroTable::part_of(point.key), point, kind_.has_normals);
       }
+      if (table.size() > plan_.tree_clusters) return false;
     }
-    std::vector<MicroCluster> clusters = table.take();
-    trees_.put(cell, cluster_tree(clusters, plan_.tree_options(cell, kind_.has_normals)));
+    return true;
+  }
+
+  // The micro-clusters of a cell, and by how many bits less than planned they are told apart.
+  struct Summed {
+    std::vector<MicroCluster> clusters;
+    unsigned fewer = 0;
+  };
+  Summed summed(std::size_t cell) const {
+    for (unsigned fewer = 0;; ++fewer) {
+      MicroTable table;
+      if (fill(table, cell, plan_.bits(cell) - fewer)) return {table.take(), fewer};
+    }
+  }
+
+  // Sums up some cells at a time, then builds their trees, as many at a time as the memory allows.
+  void build_trees(std::size_t first, std::size_t last) {
+    std::vector<Summed> cells(last - first);
+    input_.workers.each(cells.size(), 1, [&](std::size_t from, std::size_t to) {
+      for (std::size_t i = from; i < to; ++i) cells[i] = summed(first + i);
+    });
+    for (std::size_t begin = 0, end = 0; begin < cells.size(); begin = end) {
+      for (std::size_t clusters = 0; end < cells.size(); ++end) {
+        clusters += cells[end].clusters.size();
+        if (end > begin && clusters > plan_.tree_clusters) break;
+      }
+      input_.workers.each(end - begin, 1, [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = begin + from; i < begin + to; ++i) {
+          trees_.put(first + i,
+                     cluster_tree(cells[i].clusters, plan_.tree_options(first + i, kind_.has_normals, cells[i].fewer)));
+          cells[i].clusters = {};
+        }
+      });
+    }
   }
 
   const PassInput& input_;

@@ -3,6 +3,7 @@
 //
 // Based on: Boubekeur 2007, ch. 4.3, algorithm 2. A cell holds micro-clusters instead of points.
 #include <algorithm>
+#include <bit>
 #include <cstring>
 
 #include "glark/clients/stream/sample/pass/local_points.h"
@@ -11,7 +12,13 @@
 namespace glark::stream {
 namespace {
 
-constexpr std::size_t batch_size = 1 << 16;
+constexpr std::size_t bytes_a_point = 256;  // of open_bytes, for each point of a batch
+constexpr double most_open_share = 1.4;     // of open_bytes, at any time
+constexpr std::size_t least_batch = 1 << 15, most_batch = 1 << 16;
+
+std::size_t batch_size(const Plan& plan) {
+  return std::clamp(std::bit_ceil(plan.open_bytes / bytes_a_point), least_batch, most_batch);
+}
 
 class CellStream {
  public:
@@ -20,7 +27,7 @@ class CellStream {
         plan_(input.plan),
         trees_(trees),
         kind_(input.source.schema()),
-        batch_(batch_size),
+        batch_(batch_size(input.plan)),
         tables_(plan_.cells.size()),
         missing_(plan_.cells.size()) {
     for (std::size_t i = 0; i < missing_.size(); ++i) missing_[i] = plan_.cells[i].count;
@@ -29,7 +36,7 @@ class CellStream {
   bool run() {
     std::uint64_t done = begin();
     for (std::uint64_t read = 1; read > 0;) {
-      read = input_.source.each(done, done + batch_size, [&](const Points& points) { locate(points, done); });
+      read = input_.source.each(done, done + batch_.size(), [&](const Points& points) { locate(points, done); });
       if (!add(std::span(batch_).first(static_cast<std::size_t>(read)))) return false;
       done += read;
       trim_memory(plan_.memory);
@@ -112,14 +119,29 @@ class CellStream {
       if (missing_[point.cell] == 0) fail_as_changed(input_.source.name());
       if (--missing_[point.cell] == 0) complete.push_back(point.cell);
     }
-    for (std::size_t begin = 0; begin < complete.size(); begin += trees_at_a_time) {
-      const std::size_t count = std::min(trees_at_a_time, complete.size() - begin);
-      input_.workers.each(count, 1, [&](std::size_t first, std::size_t last) {
-        for (std::size_t i = first; i < last; ++i) finish(complete[begin + i]);
-      });
-    }
+    if (!finish_all(complete)) return false;
     finished_ += complete.size();
-    return ++batches_ % 32 != 0 || open_bytes() <= plan_.open_bytes;
+    // The tables of some cells grow for a while before others are complete, so the usual limit is checked now and then.
+    const std::size_t bytes = open_bytes();
+    return static_cast<double>(bytes) <= most_open_share * static_cast<double>(plan_.open_bytes) &&
+           (++batches_ % 32 != 0 || bytes <= plan_.open_bytes);
+  }
+
+  // Builds the trees of these cells, several at a time as the memory allows. Returns false if one cell alone is too large.
+  bool finish_all(std::span<const std::uint32_t> cells) {
+    while (!cells.empty()) {
+      std::size_t count = 0;
+      for (std::size_t clusters = 0; count < std::min(trees_at_a_time, cells.size()); ++count) {
+        clusters += tables_[cells[count]]->size();
+        if (clusters > plan_.tree_clusters) break;
+      }
+      if (count == 0) return false;
+      input_.workers.each(count, 1, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) finish(cells[i]);
+      });
+      cells = cells.subspan(count);
+    }
+    return true;
   }
 
   void finish(std::uint32_t cell) {

@@ -71,6 +71,12 @@ std::vector<MicroCluster> MicroTable::take() {
   return all;
 }
 
+std::size_t MicroTable::size() const {
+  std::size_t size = 0;
+  for (const Part& part : parts_) size += part.clusters.size();
+  return size;
+}
+
 std::size_t MicroTable::bytes() const {
   std::size_t bytes = 0;
   for (const Part& part : parts_)

@@ -45,6 +45,7 @@ class MicroTable {
   void add(unsigned part, const LocalPoint& point, bool has_normals);
   // Returns all micro-clusters, by their keys, and empties the tables.
   std::vector<MicroCluster> take();
+  std::size_t size() const;  // micro-clusters
   std::size_t bytes() const;
   void save(StateWriter& state) const;
   bool load(StateReader& state);
