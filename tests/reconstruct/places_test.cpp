@@ -40,6 +40,21 @@ TEST(Places, TouchingSheetsArePartedByALittle) {
   for (std::size_t i = 0; i < positions.size(); ++i) EXPECT_NEAR(before[i], positions[i], 0.03);
 }
 
+// Four triangles at one edge, by indices. Two sheets get vertices of their own.
+TEST(Places, SheetsAreCutAtAnEdge) {
+  std::vector<float> positions{0, 0, 0, 1, 0, 0, 0, 1, 0.1F, 0, -1, 0.1F, 0, 1, -0.1F, 0, -1, -0.1F};
+  std::vector<std::uint32_t> triangles{0, 1, 2, 1, 0, 3, 1, 0, 4, 0, 1, 5};
+  ASSERT_EQ(1U, count_edges(positions, triangles).non_manifold);
+  const std::vector<std::uint32_t> originals = cut_at_edges(positions, triangles);
+  ASSERT_EQ(8U, originals.size());
+  for (std::size_t i = 6; i < 8; ++i) {
+    for (std::size_t k = 0; k < 3; ++k) positions.push_back(positions[3 * std::size_t{originals[i]} + k]);
+  }
+  part_places(positions, std::vector<float>(24, 0), triangles);
+  EXPECT_EQ(0U, count_edges(positions, triangles).non_manifold);
+  EXPECT_EQ(8U, count_edges(positions, triangles).boundary);
+}
+
 TEST(Places, MeshesWithoutSuchEdgesStayAsTheyAre) {
   std::vector<float> positions{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 0, -1, 0, 0, 0, -1, 0};
   const std::vector<float> before = positions, normals(18, 0);

@@ -69,9 +69,13 @@ void add_normals(geometry::Geometry& points, const std::string& file, Seconds& s
 // Returns points on the triangles if these are so large that their corners do not show the surface; otherwise, none.
 geometry::Geometry points_on_triangles(const geometry::Geometry& mesh, const std::string& file) {
   constexpr double least_share = 0.2;  // of the area, in long triangles; scans have at most half of this
+  constexpr std::size_t few_corners = 1000;
   constexpr std::size_t samples_a_triangle = 64, fewest = 100000, most = 500000;
   geometry::Geometry points;
-  if (reconstruct::share_of_long_triangles(mesh.positions, mesh.triangles) < least_share) return points;
+  if (mesh.triangles.empty()) return points;
+  if (mesh.point_count() >= few_corners &&
+      reconstruct::share_of_long_triangles(mesh.positions, mesh.triangles) < least_share)
+    return points;
   const std::size_t limit = std::max(4 * mesh.point_count(), most);
   const std::size_t count = std::clamp(samples_a_triangle * mesh.triangle_count(), fewest, limit);
   reconstruct::TriangleSamples samples =
@@ -167,12 +171,30 @@ void report_loss(const reconstruct::Loss& loss, Report& report, const Reconstruc
       fmt::format("{}: {} are left out: the mesh is more than three distances of points away; {}", file, what, remedy));
 }
 
+// Makes at most two triangles meet in each edge.
+void part_sheets(geometry::Geometry& mesh) {
+  const std::size_t before = mesh.point_count();
+  const std::vector<std::uint32_t> originals = reconstruct::cut_at_edges(mesh.positions, mesh.triangles);
+  const auto copy = [](auto& array, std::size_t size, std::size_t original) {
+    for (std::size_t k = 0; k < size && !array.empty(); ++k) {
+      const auto value = array[size * original + k];
+      array.push_back(value);
+    }
+  };
+  for (std::size_t i = before; i < originals.size(); ++i) {
+    copy(mesh.positions, 3, originals[i]);
+    copy(mesh.normals, 3, originals[i]);
+    copy(mesh.colours, 4, originals[i]);
+  }
+  reconstruct::part_places(mesh.positions, mesh.normals, mesh.triangles);
+}
+
 // Reports edges of one triangle and of more than two. The latter are few, if any: sheets that the simplification has
 // brought together. Then their vertices move apart.
 void report_edges(geometry::Geometry& mesh, Report& report, const std::string& file) {
   reconstruct::EdgeCounts edges = reconstruct::count_edges(mesh.positions, mesh.triangles);
   if (edges.non_manifold > 0) {
-    reconstruct::part_places(mesh.positions, mesh.normals, mesh.triangles);
+    part_sheets(mesh);
     edges = reconstruct::count_edges(mesh.positions, mesh.triangles);
   }
   report["boundary_edges"] = edges.boundary;

@@ -9,7 +9,8 @@
 #include <numeric>
 
 #include "glark/clients/common/float4.h"
-#include "glark/clients/common/mesh/half_edges.h"
+#include "glark/clients/common/mesh/cut_sheets.h"
+#include "glark/clients/common/mesh/reindex.h"
 
 namespace glark::reconstruct {
 namespace {
@@ -135,6 +136,12 @@ EdgeCounts count_edges(std::span<const float> positions, std::span<const std::ui
     counts.boundary_length += static_cast<double>(std::sqrt(dot(along, along)));
   });
   return counts;
+}
+
+std::vector<std::uint32_t> cut_at_edges(std::span<const float> positions, std::vector<std::uint32_t>& triangles) {
+  std::vector<Float4> points;
+  for (std::uint32_t i = 0; i < positions.size() / 3; ++i) points.push_back(point_at(positions, i));
+  return cut_sheets(triangles, points, irregular_vertices(triangles, points.size()));
 }
 
 void part_places(std::span<float> positions, std::span<const float> normals, std::span<const std::uint32_t> triangles) {

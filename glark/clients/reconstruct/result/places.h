@@ -21,6 +21,10 @@ struct EdgeCounts {
 // Triangles with two corners at one position do not count.
 EdgeCounts count_edges(std::span<const float> positions, std::span<const std::uint32_t> triangles);
 
+// Where an edge has more than two triangles by its indices, gives each sheet its own vertices. Returns for each vertex
+// its original; the first ones are their own originals, and copies follow.
+std::vector<std::uint32_t> cut_at_edges(std::span<const float> positions, std::vector<std::uint32_t>& triangles);
+
 // Moves vertices at one position apart where an edge has more than two triangles, until each edge has at most two. By
 // its indices, the mesh must be a manifold. A vertex moves by about a fiftieth of the size of its triangles, towards
 // their middle. If that does not help, the vertices at one position also move along their normals, by different ways.
