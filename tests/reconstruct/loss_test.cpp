@@ -18,7 +18,7 @@ namespace {
 
 Loss loss_with(const PointSet& points, const Reconstructed& mesh, std::span<const std::uint32_t> outliers = {},
                float tolerance = 0) {
-  return loss_of(points, outliers, {mesh.positions, mesh.triangles}, tolerance, common::Workers(2));
+  return loss_of(points, outliers, {mesh.positions, mesh.normals, mesh.triangles}, tolerance, common::Workers(2));
 }
 
 // A square in the plane z = 0, of two triangles.
@@ -57,6 +57,16 @@ TEST(Loss, PointsFartherThanThreeSpacingsAreLost) {
 }
 
 TEST(Loss, AMeshWithoutTrianglesLosesAll) { EXPECT_EQ(1.0, loss_with(grid(10, 0).points(), {}).share()); }
+
+// The other side of a thin sheet does not represent a point, although it is near.
+TEST(Loss, TrianglesThatFaceAwayDoNotCount) {
+  Shape shape = grid(40, 0);
+  for (float& number : shape.normals) number = -number;
+  Reconstructed mesh = square(39);
+  EXPECT_EQ(1600U, loss_with(shape.points(), mesh).lost);
+  mesh.normals = {0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1};
+  EXPECT_EQ(1600U, loss_with(shape.points(), mesh).lost);
+}
 
 TEST(Loss, OutliersDoNotCount) {
   Shape shape = grid(40, 0);

@@ -249,7 +249,7 @@ bool is_coarse(const Reconstruct& command, const geometry::Geometry& points) {
 reconstruct::Loss loss_of(const geometry::Geometry& points, const std::vector<std::uint32_t>& outliers,
                           const geometry::Geometry& mesh, const Reconstruct& command) {
   return reconstruct::loss_of({.positions = points.positions, .normals = points.normals}, outliers,
-                              {mesh.positions, mesh.triangles}, tolerance_of(points, command.options),
+                              {mesh.positions, mesh.normals, mesh.triangles}, tolerance_of(points, command.options),
                               common::Workers(command.options.threads));
 }
 

@@ -92,7 +92,7 @@ void BallsInCells::take_in(Cell& cell, const Shape& shape) {
     Link& link = links_[*last];
     if (is_left_[link.ball]) {
       const Ball& ball = balls_[link.ball];
-      if (squared_distance(ball.centre) > ball.radius * ball.radius) {
+      if (dot(ball.normal, shape.normal) < 0 || squared_distance(ball.centre) > ball.radius * ball.radius) {
         last = &link.next;
         continue;
       }

@@ -13,6 +13,7 @@ namespace glark::reconstruct {
 
 struct Ball {
   Float4 centre;  // in the unit cube
+  Float4 normal;
   float radius;
 };
 
@@ -20,9 +21,10 @@ class BallsInCells {
  public:
   explicit BallsInCells(const std::vector<Ball>& balls);
 
-  // Takes away the balls that the triangle or the point reaches. It looks at a few cells for each size of balls.
-  void take(Float4 a, Float4 b, Float4 c) { take(Shape{a, b, c, false}); }
-  void take(Float4 point) { take(Shape{point, point, point, true}); }
+  // Takes away the balls that the triangle or the point reaches, unless they face away from it. It looks at a few cells
+  // for each size of balls.
+  void take(Float4 a, Float4 b, Float4 c) { take(Shape{a, b, c, cross(b - a, c - a), false}); }
+  void take(Float4 point, Float4 normal) { take(Shape{point, point, point, normal, true}); }
   std::vector<Ball> left() const;
 
  private:
@@ -35,7 +37,7 @@ class BallsInCells {
     bool has_finer = false;      // whether there are balls in cells within this one
   };
   struct Shape {
-    Float4 a, b, c;
+    Float4 a, b, c, normal;
     bool is_point;
   };
 

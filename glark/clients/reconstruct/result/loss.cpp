@@ -72,14 +72,19 @@ void keep_some(std::vector<std::uint32_t>& counting) {
   counting.resize(most_measured);
 }
 
+Float4 normal_at(std::span<const float> normals, std::size_t i) {
+  return Float4{normals[3 * i], normals[3 * i + 1], normals[3 * i + 2], 0};
+}
+
 // Returns how many balls the mesh does not reach. Most balls have many vertices, so a few vertices take most of them,
 // and triangles the last ones.
 std::size_t beyond_reach(std::vector<Ball> balls, const MeshView& mesh, const Cube& cube) {
   const std::size_t vertices = mesh.positions.size() / 3;
   const auto vertex = [&](std::size_t i) { return cube.inside(&mesh.positions[3 * i]); };
   for (const std::size_t step : {std::size_t{8}, std::size_t{1}}) {
+    if (mesh.normals.empty()) break;
     BallsInCells cells(balls);
-    for (std::size_t i = 0; i < vertices; i += step) cells.take(vertex(i));
+    for (std::size_t i = 0; i < vertices; i += step) cells.take(vertex(i), normal_at(mesh.normals, i));
     balls = cells.left();
     if (balls.empty()) return 0;
   }
@@ -106,7 +111,8 @@ Loss loss_of(const PointSet& points, std::span<const std::uint32_t> outliers, co
   workers.each(measured.size(), grain, [&](std::size_t begin, std::size_t end) {
     LocalBound bound(neighbours);
     for (std::size_t i = begin; i < end; ++i)
-      balls[i] = {neighbours.point(measured[i]), bound.around(measured[i]) + tolerance * sorted.cube.scale};
+      balls[i] = {neighbours.point(measured[i]), neighbours.normal(measured[i]),
+                  bound.around(measured[i]) + tolerance * sorted.cube.scale};
   });
   loss.lost = beyond_reach(std::move(balls), mesh, sorted.cube);
   return loss;

@@ -15,6 +15,7 @@ namespace glark::reconstruct {
 // A finished mesh, in the unit of the points.
 struct MeshView {
   std::span<const float> positions;          // [3 * vertices]
+  std::span<const float> normals;            // [3 * vertices], or empty
   std::span<const std::uint32_t> triangles;  // [3 * triangles]
 };
 
@@ -29,7 +30,7 @@ struct Loss {
 
 inline constexpr std::size_t most_measured = 20000;  // points that are looked at
 
-// A point is lost if it is farther from the mesh than three times the distance of the points around it, plus three
+// A point is lost if it is farther from all triangles that face the same way than three times the distance of the points around it, plus three
 // times their noise, plus `tolerance`. Both are those of the nearest points that face the same way, so neither several
 // sheets in one place nor other parts of the cloud change them. The points are spread evenly over the cloud, and the
 // same ones each time.
