@@ -370,6 +370,40 @@ class Commands(CommandCase):
         self.assertIn(f"762 of {len(rows)} points are left out", result.stderr)
         self.assertNotIn("left out", self.glark("reconstruct", "two.xyz", "-o", "a.ply", "--least-part", "0").stderr)
 
+    def test_reconstruct_measures_the_loss(self):
+        """Fins nearer to each other than their points: most of them are lost, which is an error. A part of a cloud is a warning."""
+        self.needs("reconstruct")
+        for seed in (1, 2):
+            number = random.Random(seed)
+            rows = ["%.6g %.6g %.6g 0 %d 0\n" % (number.random(), 0.01 * (fin + 0.2 * side), 0.3 * number.random(), side)
+                    for fin in range(20) for side in (-1, 1) for _ in range(3000)]
+            (self.path / "fins.xyz").write_text("".join(rows))
+            (self.path / "a.ply").unlink(missing_ok=True)
+            error = self.glark("reconstruct", "fins.xyz", "-o", "a.ply", status=1).stderr
+            self.assertRegex(error, r"the mesh does not represent about \d+ % of the points \(estimated from 20000 of them\), so nothing is written")
+            self.assertFalse((self.path / "a.ply").exists())
+        report = self.report("reconstruct", self.sphere, "-o", "a.ply")
+        self.assertEqual((0, 0, 0, 0), tuple(report[name] for name in ("points_left_out", "boundary_edges", "boundary_length", "non_manifold_edges")))
+        self.assertGreater(report["points_measured"], 1000)
+
+    def test_reconstruct_samples_large_triangles(self):
+        """Two blocks on one another, of 24 triangles."""
+        self.needs("reconstruct")
+        rows, faces = [], []
+        for k, size in enumerate((1, 0.4)):
+            rows += ["v %g %g %g\n" % (size * (i % 2 * 2 - 1), size * (i // 2 % 2 * 2 - 1), size * (i // 4 * 2 - 1) + 3 * k) for i in range(8)]
+            for a, b, c, d in ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)):
+                faces += ["f %d %d %d\n" % tuple(8 * k + i + 1 for i in face) for face in ((a, b, c), (a, c, d))]
+        (self.path / "blocks.obj").write_text("".join(rows + faces))
+        result = self.glark("reconstruct", "blocks.obj", "-o", "a.ply", "--json", "--measure", "blocks.obj")
+        report = json.loads(result.stdout)
+        self.assertIn("large triangles, whose corners do not show the surface; 100000 points on them are used", result.stderr)
+        self.assertEqual((8 * 2, 24), (report["input"]["points"], report["input"]["triangles"]))
+        self.assertEqual(2, report["topology"]["components"])
+        self.assertLess(report["quality"]["rms_percent"], 0.1)
+        self.assertEqual(0, report["non_manifold_edges"])
+        self.assertNotIn("large triangles", self.glark("reconstruct", self.sphere, "-o", "a.ply").stderr)
+
     def test_output_keeps_the_mode_and_tells_of_hard_links(self):
         self.needs("simplify")
         output = self.path / "a.ply"

@@ -15,6 +15,8 @@
 #include "glark/clients/reconstruct/density/even_samples.h"
 #include "glark/clients/reconstruct/density/layers.h"
 #include "glark/clients/reconstruct/mesh/refinement.h"
+#include "glark/clients/reconstruct/result/listed.h"
+#include "glark/clients/reconstruct/result/places.h"
 
 namespace glark::reconstruct {
 namespace {
@@ -136,7 +138,7 @@ void add(const PointSet& all, const Cube& cube, const std::vector<std::uint32_t>
   result.noise = std::max(result.noise, mesh.noise);
 }
 
-Reconstructed mesh_of(const PointSet& given, const ReconstructOptions& options) {
+Listed mesh_of(const PointSet& given, const ReconstructOptions& options) {
   const Workers workers(options.threads);
   check(options);
   check(given, workers);
@@ -152,13 +154,19 @@ Reconstructed mesh_of(const PointSet& given, const ReconstructOptions& options) 
     for (const std::vector<std::uint32_t>& layer : layers)
       add(even.points(), sorted.cube, layer, options, workers, result);
   }
-  result.outliers = even.outliers();
-  return result;
+  part_places(result.positions, result.normals, result.triangles);
+  std::vector<std::uint32_t> outliers = even.outliers();
+  result.outliers = static_cast<std::uint32_t>(outliers.size());
+  return {std::move(result), std::move(outliers)};
 }
 
 }  // namespace
 
 Reconstructed reconstruct(const PointSet& points, const ReconstructOptions& options) {
+  return reconstruct_and_list(points, options).mesh;
+}
+
+Listed reconstruct_and_list(const PointSet& points, const ReconstructOptions& options) {
   try {
     return mesh_of(points, options);
   } catch (const vstree::Error& error) {

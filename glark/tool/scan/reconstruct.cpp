@@ -5,13 +5,18 @@
 #include <fmt/format.h>
 #include <glark/reconstruct.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 #include <utility>
 
 #include "glark/clients/geometry/measure/area.h"
-#include "glark/clients/geometry/measure/left_out.h"
 #include "glark/clients/geometry/measure/triangle_normals.h"
+#include "glark/clients/reconstruct/result/listed.h"
+#include "glark/clients/reconstruct/result/loss.h"
+#include "glark/clients/reconstruct/result/places.h"
+#include "glark/clients/reconstruct/samples/triangle_samples.h"
 #include "glark/tool/scan/commands.h"
 #include "glark/tool/scan/files.h"
 #include "glark/tool/scan/quality.h"
@@ -61,12 +66,34 @@ void add_normals(geometry::Geometry& points, const std::string& file, Seconds& s
   seconds.normals = progress.seconds();
 }
 
-reconstruct::Reconstructed reconstruct(geometry::Geometry& points, const Reconstruct& command, Seconds& seconds) {
-  add_normals(points, command.files.input, seconds);
+// Returns points on the triangles if these are so large that their corners do not show the surface; otherwise, none.
+geometry::Geometry points_on_triangles(const geometry::Geometry& mesh, const std::string& file) {
+  constexpr double least_share = 0.2;  // of the area, in long triangles; scans have at most half of this
+  constexpr std::size_t few_corners = 1000;
+  constexpr std::size_t samples_a_triangle = 64, fewest = 100000, most = 500000;
+  geometry::Geometry points;
+  if (mesh.triangles.empty()) return points;
+  if (mesh.point_count() >= few_corners &&
+      reconstruct::share_of_long_triangles(mesh.positions, mesh.triangles) < least_share)
+    return points;
+  const std::size_t limit = std::max(4 * mesh.point_count(), most);
+  const std::size_t count = std::clamp(samples_a_triangle * mesh.triangle_count(), fewest, limit);
+  reconstruct::TriangleSamples samples =
+      reconstruct::sample_triangles(mesh.positions, mesh.colours, mesh.triangles, count);
+  points.origin = mesh.origin;
+  points.positions = std::move(samples.positions);
+  points.normals = std::move(samples.normals);
+  points.colours = std::move(samples.colours);
+  warn(fmt::format("{}: it has large triangles, whose corners do not show the surface; {} points on them are used",
+                   file, points.point_count()));
+  return points;
+}
+
+reconstruct::Listed reconstruct(const geometry::Geometry& points, const Reconstruct& command, Seconds& seconds) {
   Progress progress("reconstructing");
   progress.show(-1);
   const std::vector<std::uint8_t> colours = rgb_of(points.colours);
-  reconstruct::Reconstructed result = reconstruct::reconstruct(
+  reconstruct::Listed result = reconstruct::reconstruct_and_list(
       {.positions = points.positions, .normals = points.normals, .colours = colours}, command.options);
   seconds.reconstruction = progress.seconds();
   return result;
@@ -96,9 +123,9 @@ void require_triangles(const reconstruct::Reconstructed& result, const std::stri
       "from all others makes the box too large; remove such points");
 }
 
-// Warns about parts and points that the mesh does not have. Returns the number of points.
-std::size_t warn_of_left_out(const geometry::Geometry& points, const geometry::Geometry& mesh, const Report& numbers,
-                             const std::string& file, float least_part) {
+// Warns about parts and outliers that were left out on purpose.
+void warn_of_left_out(const geometry::Geometry& points, const Report& numbers, const std::string& file,
+                      float least_part) {
   const auto parts = numbers["parts_left_out"].get<std::uint32_t>();
   if (parts > 0)
     warn(fmt::format(
@@ -109,14 +136,71 @@ std::size_t warn_of_left_out(const geometry::Geometry& points, const geometry::G
   if (outliers > 0)
     warn(fmt::format("{}: {} of {} points lie on no surface, as their neighbours show; they are left out as outliers",
                      file, outliers, points.point_count()));
-  const auto distance = numbers["node_side"].get<double>();  // noise that the mesh smooths is at most a tenth of it
-  const std::size_t count = points_left_out(points, mesh, distance);
-  if (count > outliers)
-    warn(
-        fmt::format("{}: {} of {} points are left out, which are more than {:.3g} from the mesh{}; --measure shows how "
-                    "far, a smaller --node-samples or --least-part keeps more",
-                    file, count, points.point_count(), distance, outliers > 0 ? ", outliers among them" : ""));
-  return count;
+}
+
+// The distance that the options allow between the mesh and the points.
+float tolerance_of(const geometry::Geometry& points, const reconstruct::ReconstructOptions& options) {
+  std::array<float, 3> low{}, high{};
+  for (std::size_t i = 0; i < points.positions.size(); ++i) {
+    low[i % 3] = i < 3 ? points.positions[i] : std::min(low[i % 3], points.positions[i]);
+    high[i % 3] = i < 3 ? points.positions[i] : std::max(high[i % 3], points.positions[i]);
+  }
+  const float diagonal = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+  return 3 * std::max(options.threshold, options.error) * diagonal;  // both are root mean squares
+}
+
+// Reports how many points the mesh does not represent, and warns. Throws if it does not represent most of them.
+void report_loss(const reconstruct::Loss& loss, Report& report, const Reconstruct& command) {
+  constexpr double told = 0.005, too_much = 0.5;
+  const std::string& file = command.files.input;
+  report["points_left_out"] = static_cast<std::size_t>(std::llround(loss.share() * static_cast<double>(loss.points)));
+  report["points_left_out_percent"] = 100 * loss.share();
+  report["points_measured"] = loss.measured;
+  if (loss.share() < told) return;
+  const std::string what =
+      loss.measured < loss.points
+          ? fmt::format("about {:.2g} % of the points (estimated from {} of them)", 100 * loss.share(), loss.measured)
+          : fmt::format("{} of {} points", loss.lost, loss.points);
+  const char* const remedy =
+      "a smaller --node-samples or --least-part keeps more. Of sheets that are nearer to each other than their points, "
+      "only denser points show more";
+  if (loss.share() > too_much)
+    throw geometry::Error(
+        fmt::format("{}: the mesh does not represent {}, so nothing is written; {}", file, what, remedy));
+  warn(
+      fmt::format("{}: {} are left out: the mesh is more than three distances of points away; {}", file, what, remedy));
+}
+
+// Makes at most two triangles meet in each edge.
+void part_sheets(geometry::Geometry& mesh) {
+  const std::size_t before = mesh.point_count();
+  const std::vector<std::uint32_t> originals = reconstruct::cut_at_edges(mesh.positions, mesh.triangles);
+  const auto copy = [](auto& array, std::size_t size, std::size_t original) {
+    for (std::size_t k = 0; k < size && !array.empty(); ++k) {
+      const auto value = array[size * original + k];
+      array.push_back(value);
+    }
+  };
+  for (std::size_t i = before; i < originals.size(); ++i) {
+    copy(mesh.positions, 3, originals[i]);
+    copy(mesh.normals, 3, originals[i]);
+    copy(mesh.colours, 4, originals[i]);
+  }
+  reconstruct::part_places(mesh.positions, mesh.normals, mesh.triangles);
+}
+
+// Reports edges of one triangle and of more than two. The latter are few, if any: sheets that the simplification has
+// brought together. Then their vertices move apart.
+void report_edges(geometry::Geometry& mesh, Report& report, const std::string& file) {
+  reconstruct::EdgeCounts edges = reconstruct::count_edges(mesh.positions, mesh.triangles);
+  if (edges.non_manifold > 0) {
+    part_sheets(mesh);
+    edges = reconstruct::count_edges(mesh.positions, mesh.triangles);
+  }
+  report["boundary_edges"] = edges.boundary;
+  report["boundary_length"] = edges.boundary_length;
+  report["non_manifold_edges"] = edges.non_manifold;
+  if (edges.non_manifold > 0) warn(fmt::format("{}: the mesh is not a manifold at {} edges", file, edges.non_manifold));
 }
 
 geometry::Geometry mesh_of(reconstruct::Reconstructed result, const std::array<double, 3>& origin) {
@@ -157,21 +241,43 @@ geometry::Geometry limited(geometry::Geometry mesh, const geometry::Geometry& po
                         "--triangles");
 }
 
+// Whether the options ask for fewer triangles than the points need.
+bool is_coarse(const Reconstruct& command, const geometry::Geometry& points) {
+  return command.most_triangles > 0 && command.most_triangles < triangles_a_point * points.point_count();
+}
+
+reconstruct::Loss loss_of(const geometry::Geometry& points, const std::vector<std::uint32_t>& outliers,
+                          const geometry::Geometry& mesh, const Reconstruct& command) {
+  return reconstruct::loss_of({.positions = points.positions, .normals = points.normals}, outliers,
+                              {mesh.positions, mesh.normals, mesh.triangles}, tolerance_of(points, command.options),
+                              common::Workers(command.options.threads));
+}
+
 void run(const Reconstruct& command) {
+  const std::string& file = command.files.input;
   check_output(command.files);
-  geometry::Geometry points = load(command.files.input, command.files);
-  warn_of_alpha(points.colours, command.files.input);
-  Seconds seconds;
-  reconstruct::Reconstructed result = reconstruct(points, command, seconds);
-  require_triangles(result, command.files.input);
-  Report numbers = report_of(result);
-  geometry::Geometry whole = mesh_of(std::move(result), points.origin);
-  numbers["points_left_out"] =
-      warn_of_left_out(points, whole, numbers, command.files.input, command.options.least_part);
-  const geometry::Geometry mesh = limited(std::move(whole), points, command, seconds);
-  store(mesh, command.files);
+  geometry::Geometry points = load(file, command.files);
+  warn_of_alpha(points.colours, file);
   Report report;
   report["input"] = contents_of(points);
+  Seconds seconds;
+  if (geometry::Geometry samples = points_on_triangles(points, file); !samples.positions.empty())
+    points = std::move(samples);
+  else
+    add_normals(points, file, seconds);
+  auto [result, outliers] = reconstruct(points, command, seconds);
+  require_triangles(result, file);
+  Report numbers = report_of(result);
+  geometry::Geometry mesh = mesh_of(std::move(result), points.origin);
+  warn_of_left_out(points, numbers, file, command.options.least_part);
+  const bool coarse = is_coarse(command, points);
+  reconstruct::Loss loss;
+  if (coarse) loss = loss_of(points, outliers, mesh, command);
+  mesh = limited(std::move(mesh), points, command, seconds);
+  if (!coarse) loss = loss_of(points, outliers, mesh, command);
+  report_loss(loss, numbers, command);
+  report_edges(mesh, numbers, file);
+  store(mesh, command.files);
   report["output"] = contents_of(mesh);
   report.update(numbers);
   if (seconds.normals > 0) report["normals_seconds"] = seconds.normals;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "glark/clients/reconstruct/density/even_samples.h"
 
+#include <algorithm>
+
 #include "glark/clients/reconstruct/density/all_outliers.h"
 
 namespace glark::reconstruct {
@@ -23,10 +25,15 @@ PointSet EvenSamples::points() const {
   return {.positions = positions_, .normals = normals_, .colours = colours_};
 }
 
+std::vector<std::uint32_t> EvenSamples::outliers() const {
+  std::vector<std::uint32_t> sorted = outliers_;
+  std::sort(sorted.begin(), sorted.end());
+  return sorted;
+}
+
 void EvenSamples::remove_outliers(const Workers& workers) {
   const std::vector<std::uint32_t> outliers = outliers_among_all(points(), sorted_.cube, sorted_.entries, workers);
   if (outliers.empty()) return;
-  outliers_ = static_cast<std::uint32_t>(outliers.size());
   change(outliers, {}, workers);
 }
 
@@ -45,7 +52,6 @@ void EvenSamples::fill_sparse_parts(const Workers& workers) {
   const Filling filling =
       filling_around(sparse, neighbours, points, is_used, static_cast<float>(filled_spacings * spacing), workers);
   if (outliers.empty() && filling.points.empty()) return;
-  outliers_ += static_cast<std::uint32_t>(outliers.size());
   change(outliers, filling, workers);
 }
 
@@ -53,12 +59,15 @@ void EvenSamples::change(const std::vector<std::uint32_t>& removed, const Fillin
   const PointSet before = points();
   std::vector<bool> is_removed(before.positions.size() / 3);
   for (const std::uint32_t i : removed) is_removed[sorted_.entries[i].index] = true;
+  std::vector<std::uint32_t> given_as;
   std::vector<float> positions, normals;
   std::vector<std::uint8_t> colours;
   const auto append = [](auto& array, const auto& from, std::size_t i) {
     if (!from.empty()) array.insert(array.end(), &from[3 * i], &from[3 * i] + 3);
   };
   for (std::size_t i = 0; i < is_removed.size(); ++i) {
+    const std::uint32_t given = given_as_.empty() ? static_cast<std::uint32_t>(i) : given_as_[i];
+    (is_removed[i] ? outliers_ : given_as).push_back(given);
     if (is_removed[i]) continue;
     append(positions, before.positions, i);
     append(normals, before.normals, i);
@@ -75,6 +84,7 @@ void EvenSamples::change(const std::vector<std::uint32_t>& removed, const Fillin
   positions_ = std::move(positions);
   normals_ = std::move(normals);
   colours_ = std::move(colours);
+  given_as_ = std::move(given_as);
   sorted_ = sort_by_cells(points(), workers);
 }
 

@@ -17,7 +17,8 @@ class EvenSamples {
 
   PointSet points() const;
   SortedSamples take_sorted() { return std::move(sorted_); }
-  std::uint32_t outliers() const { return outliers_; }
+  // Returns the indices of the given samples that lie on no surface, in ascending order.
+  std::vector<std::uint32_t> outliers() const;
 
  private:
   void remove_outliers(const Workers& workers);
@@ -26,7 +27,8 @@ class EvenSamples {
 
   PointSet given_;
   SortedSamples sorted_;
-  std::uint32_t outliers_ = 0;
+  std::vector<std::uint32_t> outliers_;  // the indices of given samples, in no order
+  std::vector<std::uint32_t> given_as_;  // for each of the samples below, its index as given; added samples have none
   // Empty if all given samples are used as they are.
   std::vector<float> positions_, normals_;
   std::vector<std::uint8_t> colours_;
