@@ -68,7 +68,8 @@ class Commands(CommandCase):
         for most in ("1e-3", "1e-2"):
             report = self.report("simplify", self.sphere, "-o", "a.ply", "--max-error", most, "--measure", self.sphere)
             self.assertLess(report["output"]["triangles"], last)
-            self.assertLessEqual(report["estimated_error_percent"], 100 * float(most))
+            self.assertLessEqual(report["measured_error_percent"], 100 * float(most))
+            self.assertAlmostEqual(report["measured_error_percent"], report["quality"]["hausdorff_percent"], 6)
             self.assertLess(report["quality"]["rms_percent"], 100 * float(most))
             last = report["output"]["triangles"]
         for words in (("--fast", "--max-error", "1"), ("--fast", "--method", "collapse"), ("--error", "1", "--max-error", "1")):

@@ -19,6 +19,7 @@
 #include "glark/tool/scan/rgb.h"
 #include "glark/tool/scan/simplified.h"
 #include "glark/tool/scan/simplify/connections.h"
+#include "glark/tool/scan/simplify/within_error.h"
 #if GLARK_HAS_STREAM
 #include "glark/tool/scan/parts/large_mesh.h"
 #endif
@@ -67,7 +68,7 @@ void warn_of_losses(const geometry::Geometry& geometry, const Coarse& coarse, co
   }
   warn_of_alpha(geometry.colours, file);
   const std::size_t target = command.options.target, count = coarse.geometry.triangle_count();
-  const bool was_stopped = command.options.max_error > 0 && coarse.error > 0;
+  const bool was_stopped = coarse.measured.has_value();
   if (coarse.method == vstree::Method::collapse && target > 0 && count > target && !was_stopped)
     warn(fmt::format(
         "{}: no further edge can collapse; {} triangles are left, more than --target {}; --fast gives fewer", file,
@@ -95,13 +96,16 @@ Coarse coarse_of(const Input& input, const Simplify& command, double& seconds) {
     if (input.is_whole)
       warn(fmt::format("{}: it has no more {} than --target allows; the result is the whole input", command.files.input,
                        geometry.triangles.empty() ? "points" : "triangles"));
-    return {geometry, input.is_whole ? vstree::Method::collapse : vstree::Method::cluster, 0};
+    return {geometry, input.is_whole ? vstree::Method::collapse : vstree::Method::cluster, 0, {}};
   }
   Coarse coarse{};
   {
     Progress progress("simplifying");
     progress.show(-1);
-    coarse = simplified(geometry, command.options);
+    const vstree::SimplifyOptions& options = command.options;
+    const bool is_bound = options.max_error > 0 && options.method != vstree::Method::cluster;
+    coarse = is_bound && !geometry.triangles.empty() ? simplified_within_error(geometry, options)
+                                                     : simplified(geometry, options);
     seconds = progress.seconds();
   }
   warn_of_losses(geometry, coarse, command);
@@ -138,7 +142,10 @@ void simplify(const Simplify& command) {
   report["output"] = contents_of(coarse);
   const bool is_collapsed = simplification.method == vstree::Method::collapse;
   report["method"] = is_collapsed ? "collapse" : "cluster";
-  if (is_collapsed) report["estimated_error_percent"] = 100 * static_cast<double>(simplification.error);
+  if (simplification.measured)
+    report["measured_error_percent"] = 100 * *simplification.measured;
+  else if (is_collapsed)
+    report["estimated_error_percent"] = 100 * static_cast<double>(simplification.error);
   report["seconds"] = input.is_whole ? seconds : reading.seconds();  // with the sampling
   if (input.is_whole && !input.geometry.triangles.empty())
     report.update(connections_report(input.geometry, coarse, command.files.output));
@@ -189,8 +196,8 @@ void describe_method(CLI::App& command, Simplify& simplification) {
   command.add_flag("--fast", simplification.is_fast, "The same as --method cluster")->excludes(method);
   command
       .add_option("--max-error", options.max_error,
-                  "Collapse: stop before the estimated error is greater, as a part of the bounding box's diagonal; "
-                  "default: no limit")
+                  "Collapse: the greatest distance between the result and the input, as a part of the bounding box's "
+                  "diagonal; measured; default: no limit")
       ->check(above_zero())
       ->excludes("--fast")
       ->excludes("--error");
