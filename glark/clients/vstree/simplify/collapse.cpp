@@ -255,7 +255,7 @@ class Collapser {
 }  // namespace
 
 // Some edges of more than two triangles cannot be parted. Then the vertices around them are locked, and the surface is
-// collapsed again.
+// collapsed again, unless that leaves too many triangles.
 Simplified collapse(const Surface& surface, const SimplifyOptions& options) {
   if (options.max_error == 0 && options.target >= surface.triangles.size() / 3) return whole(surface);
   Collapser collapser(surface, options);
@@ -267,8 +267,8 @@ Simplified collapse(const Surface& surface, const SimplifyOptions& options) {
   for (int tries = 0; tries < most_tries && least > given && collapser.lock_crowded_edges(); ++tries) {
     Simplified other = collapser.run();
     const std::size_t edges = crowded_edge_count(other.positions, other.triangles);
-    const bool is_too_large = options.target > 0 && other.triangles.size() / 3 > most;
-    if (edges >= least || is_too_large || other.triangles.empty()) continue;
+    if (options.target > 0 && other.triangles.size() / 3 > most) break;  // further locks leave still more
+    if (edges >= least || other.triangles.empty()) continue;
     least = edges;
     best = std::move(other);
   }

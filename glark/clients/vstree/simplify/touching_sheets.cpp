@@ -187,7 +187,9 @@ std::vector<Edge> crowded_edges(const std::vector<std::uint32_t>& triangles, std
   std::vector<Edge> edges, result;
   for (std::uint32_t i = 0; i < triangles.size(); ++i) {
     const std::uint32_t a = triangles[i], b = triangles[common::next_corner(i)];
-    if (a != b && (irregular[a] & irregular[b]) != 0) edges.emplace_back(std::minmax(a, b));
+    const std::uint32_t c = triangles[common::next_corner(common::next_corner(i))];
+    if (a == b || b == c || c == a) continue;  // a triangle without area
+    if ((irregular[a] & irregular[b]) != 0) edges.emplace_back(std::minmax(a, b));
   }
   std::sort(edges.begin(), edges.end());
   for (std::size_t i = 2; i < edges.size(); ++i) {

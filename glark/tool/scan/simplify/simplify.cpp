@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "glark/clients/geometry/measure/area.h"
 #include "glark/clients/geometry/measure/topology.h"
 #include "glark/tool/scan/commands.h"
 #include "glark/tool/scan/files.h"
@@ -75,19 +76,54 @@ void warn_of_losses(const geometry::Geometry& geometry, const Coarse& coarse, co
         count, target));
 }
 
+// Warns if much fewer triangles are left than the target allows, and no --max-error explains why.
+void warn_of_few(const geometry::Geometry& geometry, const Coarse& coarse, const Simplify& command) {
+  const std::size_t target = command.options.target, count = coarse.geometry.triangle_count();
+  if (geometry.triangles.empty() || count == 0 || 10 * count >= 9 * target) return;
+  warn(fmt::format("{}: {} triangle{} left, far fewer than --target {}: {}", command.files.input, count,
+                   count == 1 ? " is" : "s are", target,
+                   coarse.method == vstree::Method::cluster
+                       ? "sheets that are nearer to each other than the clusters are wide cancel out or become one; "
+                         "use --method collapse"
+                       : "with so few, sheets of the surface meet, and triangles that cover each other are removed; "
+                         "allow more by --target"));
+}
+
 // Returns whether the input has no more triangles, or points without triangles, than the target allows.
 bool is_within_target(const geometry::Geometry& geometry, std::size_t target) {
   return target > 0 && target >= (geometry.triangles.empty() ? geometry.point_count() : geometry.triangle_count());
 }
 
+// Returns a target for which triangles are left, at most twice the least one; 0 if a few tries find none.
+std::size_t target_that_works(const geometry::Geometry& geometry, vstree::SimplifyOptions options) {
+  constexpr int most_tries = 12;
+  for (int i = 0; i < most_tries; ++i) {
+    options.target *= 2;
+    if (options.target >= geometry.triangle_count()) return 0;
+    if (!simplified(geometry, options).geometry.triangles.empty()) return options.target;
+  }
+  return 0;
+}
+
 // Throws if nothing is left, so that an empty mesh replaces no file.
-void require_contents(const geometry::Geometry& coarse, const geometry::Geometry& geometry, const Simplify& command) {
+void require_contents(const Coarse& result, const geometry::Geometry& geometry, const Simplify& command) {
+  const geometry::Geometry& coarse = result.geometry;
   const bool lost_triangles = coarse.triangles.empty() && !geometry.triangles.empty();
   if (coarse.point_count() > 0 && !lost_triangles) return;
-  throw geometry::Error(
-      command.files.input +
-      ": all its triangles are so flat or small that they vanish, and the result is empty; nothing is written; " +
-      (command.options.target > 0 ? "allow more by --target" : "keep some by --target, or allow less by --error"));
+  const std::size_t target = command.options.target;
+  const bool is_flat = geometry::area_of(geometry) == 0;
+  std::string cause = "all its triangles are so flat or small that they vanish";
+  std::string remedy = target > 0 ? "allow more by --target" : "keep some by --target, or allow less by --error";
+  if (const std::size_t works = target > 0 && !is_flat ? target_that_works(geometry, command.options) : 0; works > 0) {
+    cause = fmt::format("--target {} is too small for its shape", target);
+    remedy = fmt::format("--target {} works", works);
+  } else if (target > 0 && !is_flat && result.method == vstree::Method::cluster) {
+    cause =
+        "its sheets lie on each other, or so near that their triangles face each other in the same clusters and cancel";
+    remedy = "use --method collapse";
+  }
+  throw geometry::Error(command.files.input + ": " + cause + ", and the result is empty; nothing is written; " +
+                        remedy);
 }
 
 Coarse coarse_of(const Input& input, const Simplify& command, double& seconds) {
@@ -109,6 +145,7 @@ Coarse coarse_of(const Input& input, const Simplify& command, double& seconds) {
     seconds = progress.seconds();
   }
   warn_of_losses(geometry, coarse, command);
+  warn_of_few(geometry, coarse, command);
   return coarse;
 }
 
@@ -135,7 +172,7 @@ void simplify(const Simplify& command) {
   double seconds = 0;
   const Coarse simplification = coarse_of(input, command, seconds);
   const geometry::Geometry& coarse = simplification.geometry;
-  require_contents(coarse, input.geometry, command);
+  require_contents(simplification, input.geometry, command);
   store(coarse, command.files);
   Report report;
   report["input"] = input.contents;
