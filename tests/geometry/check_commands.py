@@ -89,6 +89,12 @@ class Commands(CommandCase):
             (self.path / "doubled.obj").write_text("\n".join(lines) + "\n")
             self.assertIn("cancel, and the result is empty; nothing is written; use --method collapse", self.glark(
                 "simplify", "doubled.obj", "-o", "a.ply", "--target", str(rows * rows), "--fast", status=1).stderr)
+            lines += [f"v {x + 2 * rows} {y} 0" for x in range(rows) for y in range(rows)]  # one side only
+            for i in (rows * (rows + x) + y + 1 for x in range(rows - 1) for y in range(rows - 1)):
+                lines.append(f"f {i} {i + rows} {i + rows + 1} {i + 1}")
+            (self.path / "half.obj").write_text("\n".join(lines) + "\n")
+            self.assertRegex(self.glark("simplify", "half.obj", "-o", "a.ply", "--target", str(rows * rows), "--fast").stderr,
+                             f"[0-9]+ triangles are left, far fewer than --target {rows * rows}: .*--method collapse")
         cube = self.path / "cube.obj"  # every corner has three texture coordinates
         faces = ((1, 2, 4, 3), (5, 7, 8, 6), (1, 5, 6, 2), (3, 4, 8, 7), (1, 3, 7, 5), (2, 6, 8, 4))
         lines = [f"v {x} {y} {z}" for x in (0, 1) for y in (0, 1) for z in (0, 1)]
