@@ -95,7 +95,8 @@ class Commands(CommandCase):
         for most in ("1e-3", "1e-2"):
             report = self.report("simplify", self.sphere, "-o", "a.ply", "--max-error", most, "--measure", self.sphere)
             self.assertLess(report["output"]["triangles"], last)
-            self.assertLessEqual(report["estimated_error_percent"], 100 * float(most))
+            self.assertLessEqual(report["measured_error_percent"], 100 * float(most))
+            self.assertAlmostEqual(report["measured_error_percent"], report["quality"]["hausdorff_percent"], 6)
             self.assertLess(report["quality"]["rms_percent"], 100 * float(most))
             last = report["output"]["triangles"]
         for words in (("--fast", "--max-error", "1"), ("--fast", "--method", "collapse"), ("--error", "1", "--max-error", "1")):
@@ -104,6 +105,23 @@ class Commands(CommandCase):
             "simplify", self.sphere, "-o", "a.ply", "--method", "cluster", "--max-error", "1", status=1).stderr)
         self.assertIn("the result is empty; nothing is written", self.glark(
             "simplify", self.sphere, "-o", "a.ply", "--target", "1", "--method", "collapse", status=1).stderr)
+        self.assertRegex(self.glark(
+            "simplify", self.sphere, "-o", "a.ply", "--target", "1", "--method", "collapse", status=1).stderr,
+            "--target 1 is too small for its shape, .* --target [0-9]+ works")
+        for rows in (20, 30):  # both sides of a square
+            lines = [f"v {x} {y} 0" for x in range(rows) for y in range(rows)]
+            for i in (rows * x + y + 1 for x in range(rows - 1) for y in range(rows - 1)):
+                a, b, c, d = i, i + rows, i + rows + 1, i + 1
+                lines += [f"f {a} {b} {c} {d}", f"f {a} {d} {c} {b}"]
+            (self.path / "doubled.obj").write_text("\n".join(lines) + "\n")
+            self.assertIn("cancel, and the result is empty; nothing is written; use --method collapse", self.glark(
+                "simplify", "doubled.obj", "-o", "a.ply", "--target", str(rows * rows), "--fast", status=1).stderr)
+            lines += [f"v {x + 2 * rows} {y} 0" for x in range(rows) for y in range(rows)]  # one side only
+            for i in (rows * (rows + x) + y + 1 for x in range(rows - 1) for y in range(rows - 1)):
+                lines.append(f"f {i} {i + rows} {i + rows + 1} {i + 1}")
+            (self.path / "half.obj").write_text("\n".join(lines) + "\n")
+            self.assertRegex(self.glark("simplify", "half.obj", "-o", "a.ply", "--target", str(rows * rows), "--fast").stderr,
+                             f"[0-9]+ triangles are left, far fewer than --target {rows * rows}: .*--method collapse")
         cube = self.path / "cube.obj"  # every corner has three texture coordinates
         faces = ((1, 2, 4, 3), (5, 7, 8, 6), (1, 5, 6, 2), (3, 4, 8, 7), (1, 3, 7, 5), (2, 6, 8, 4))
         lines = [f"v {x} {y} {z}" for x in (0, 1) for y in (0, 1) for z in (0, 1)]

@@ -30,7 +30,17 @@ class View(CommandCase):
                 picture = (self.path / "a.png").read_bytes()
                 self.assertEqual((b"\x89PNG\r\n\x1a\n", 90, 70), (picture[:8], *struct.unpack(">2I", picture[16:24])))
                 self.assertGreater(len(picture), 1000)  # more than the background
-        self.assertGreater(self.report("view", self.sphere, "--mode", "strip", "--offscreen", "a.png")["nodes_turned_away"], 0)
+        (self.path / "points.xyz").write_text("".join(
+            f"{x / 20} {y / 20} 0 0 0 -1\n{x / 20} {y / 20} 1 0 0 1\n" for x in range(40) for y in range(40)))
+        self.assertGreater(self.report("view", "points.xyz", "--mode", "strip", "--offscreen", "a.png")["nodes_turned_away"], 0)
+        # A file with strips or triangles shows these, and no other strips of its points.
+        self.needs("strip")
+        self.glark("strip", "points.xyz", "-o", "strips.ply")
+        for file in (self.sphere, "strips.ply"):
+            mesh = self.report("view", file, "--mode", "mesh", "--offscreen", "mesh.png")
+            strip = self.report("view", file, "--mode", "strip", "--offscreen", "strip.png")
+            self.assertEqual(mesh, strip)
+            self.assertEqual((self.path / "mesh.png").read_bytes(), (self.path / "strip.png").read_bytes())
         # Without an EGL driver, OSMesa draws the same picture.
         pictures = []
         for environment in ({}, {"__EGL_VENDOR_LIBRARY_DIRS": "/nowhere", "LIBGL_DRIVERS_PATH": "/nowhere"}):

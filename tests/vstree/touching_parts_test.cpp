@@ -4,6 +4,8 @@
 // Simplification makes no edge of more than two triangles, where vertices at one position count as one.
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/bench_points/measure/mesh_quality.h"
 #include "tests/shapes/parts.h"
 #include "tests/vstree/shapes.h"
@@ -51,6 +53,43 @@ TEST(TouchingParts, EdgesOfThreeTrianglesStayJoined) {
                                   {.target = shape.triangles.size() / 12, .method = Method::collapse});
   for (std::size_t i = 0; i < few.positions.size(); i += 3)
     EXPECT_TRUE(few.positions[i + 2] == 0 || few.positions[i + 1] == 10) << "a vertex left the squares";
+}
+
+// Pages that meet in a spine: sheets that touch, and edges of many triangles that stay.
+Shape book(unsigned seed) {
+  const std::uint32_t pages = 5 + seed % 4, n = 24;
+  Shape shape;
+  for (std::uint32_t i = 0; i <= n; ++i) shape.positions.insert(shape.positions.end(), {0, 0, static_cast<float>(i)});
+  for (std::uint32_t page = 0; page < pages; ++page) {
+    const double turn = 6.28318 * (page + 0.1 * seed) / pages;
+    const auto first = static_cast<std::uint32_t>(shape.size());
+    const auto at = [&](std::uint32_t row, std::uint32_t i) { return row == 0 ? i : first + (row - 1) * (n + 1) + i; };
+    for (std::uint32_t row = 0; row <= n; ++row) {
+      for (std::uint32_t i = 0; i <= n; ++i) {
+        const double bend = turn + 0.3 * std::sin(0.2 * row + 0.3 * i + seed);
+        if (row > 0)
+          shape.positions.insert(shape.positions.end(),
+                                 {static_cast<float>(row * std::cos(bend)), static_cast<float>(row * std::sin(bend)),
+                                  static_cast<float>(i)});
+        if (row == n || i == n) continue;
+        const std::uint32_t a = at(row, i), b = at(row + 1, i), c = at(row + 1, i + 1), d = at(row, i + 1);
+        shape.triangles.insert(shape.triangles.end(), {a, b, c, a, c, d});
+      }
+    }
+  }
+  return shape;
+}
+
+TEST(TouchingParts, PagesOfABookGetNoMoreEdgesOfManyTriangles) {
+  for (unsigned seed = 1; seed < 9; ++seed) {
+    const Shape shape = book(seed);
+    for (const std::size_t part : {4U, 6U, 8U, 10U}) {
+      const Simplified few = simplify({{.positions = shape.positions}, shape.triangles},
+                                      {.target = shape.triangles.size() / 3 / part, .method = Method::automatic});
+      EXPECT_LE(crowded_edges(few.positions, few.triangles), crowded_edges(shape.positions, shape.triangles))
+          << seed << " " << part;
+    }
+  }
 }
 
 }  // namespace

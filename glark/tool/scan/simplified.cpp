@@ -19,7 +19,7 @@ Coarse simplified(const geometry::Geometry& geometry, const vstree::SimplifyOpti
   coarse.colours = rgba_of(result.colours);
   coarse.texture_coordinates = std::move(result.texcoords);
   coarse.triangles = std::move(result.triangles);
-  return {std::move(coarse), result.method, result.error};
+  return {std::move(coarse), result.method, result.error, {}};
 }
 
 }  // namespace glark::tool

@@ -4,6 +4,8 @@
 
 #include <glark/vstree.h>
 
+#include <optional>
+
 #include "glark/clients/geometry/geometry.h"
 
 namespace glark::tool {
@@ -11,7 +13,8 @@ namespace glark::tool {
 struct Coarse {
   geometry::Geometry geometry;
   vstree::Method method;
-  float error;  // of a collapse, relative to the diagonal
+  float error;                     // of a collapse, an estimate relative to the diagonal
+  std::optional<double> measured;  // the Hausdorff distance, relative to the diagonal
 };
 
 // The same geometry with fewer triangles, or points. Throws what vstree::simplify() throws.

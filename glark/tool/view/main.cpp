@@ -59,7 +59,8 @@ void describe(CLI::App& command, View& view) {
   command.add_option("--offscreen", view.picture, "Write a picture and exit; needs no display")->type_name("OUT.png");
   command
       .add_option("--mode", options.mode,
-                  "splat, strip, mesh, wireframe, refined or patterns (refined, a colour for each pattern); default: "
+                  "splat, strip (strips of the points; of a file with strips or triangles, these), mesh, wireframe, "
+                  "refined or patterns (refined, a colour for each pattern); default: "
                   "mesh if there are triangles, otherwise strip, or "
                   "splat above a million points")
       ->transform(one_of<Mode>({{"splat", Mode::splat},

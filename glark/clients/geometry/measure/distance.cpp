@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <nanoflann.hpp>
 #include <numbers>
 #include <optional>
 #include <random>
 
 #include "glark/clients/geometry/measure/nearest_on_triangle.h"
+#include "glark/clients/geometry/measure/triangle_tree.h"
 
 namespace glark::geometry {
 namespace {
@@ -25,12 +27,9 @@ Vector point_at(const Geometry& geometry, const std::array<double, 3>& shift, st
   return point;
 }
 
-// Places on a surface, each with the triangle or point that it lies on. Each point of a triangle is within `spacing` of
-// one of the triangle's places.
+// The points of a geometry without triangles, for a search tree.
 struct Places {
   std::vector<Vector> positions;
-  std::vector<std::uint32_t> owner;
-  double spacing = 0;
 
   std::size_t kdtree_get_point_count() const { return positions.size(); }
   double kdtree_get_pt(std::size_t index, std::size_t axis) const { return positions[index][axis]; }
@@ -40,22 +39,18 @@ struct Places {
   }
 };
 
-using Tree =
+using PointTree =
     nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, Places>, Places, 3, std::uint32_t>;
-
-#if NANOFLANN_VERSION >= 0x150
-using SearchParameters = nanoflann::SearchParameters;
-using Found = nanoflann::ResultItem<std::uint32_t, double>;
-#else
-using SearchParameters = nanoflann::SearchParams;
-using Found = std::pair<std::uint32_t, double>;
-#endif
 
 class Surface {
  public:
-  Surface(const Geometry& geometry, const std::array<double, 3>& shift) : geometry_(geometry), shift_(shift) {
-    gather();
-    tree_.emplace(3, places_, nanoflann::KDTreeSingleIndexAdaptorParams(16));
+  Surface(const Geometry& geometry, const std::array<double, 3>& shift) : geometry_(geometry) {
+    if (!geometry.triangles.empty()) {
+      triangles_.emplace(geometry, shift);
+      return;
+    }
+    for (std::size_t i = 0; i < geometry.point_count(); ++i) places_.positions.push_back(point_at(geometry, shift, i));
+    points_.emplace(3, places_, nanoflann::KDTreeSingleIndexAdaptorParams(16));
   }
 
   struct Nearest {
@@ -64,34 +59,29 @@ class Surface {
   };
 
   Nearest nearest_to(const Vector& from) const {
-    std::uint32_t place = 0;
-    double square = 0;
-    tree_->knnSearch(&from.x, 1, &place, &square);
-    if (geometry_.triangles.empty()) return {std::sqrt(square), point_normal(places_.owner[place])};
-    // The nearest triangle has a place within `spacing` of its nearest point, hence within this radius.
-    const double radius = std::sqrt(square) + places_.spacing;
-    std::vector<Found>& found = found_;
-    SearchParameters unsorted;
-    unsorted.sorted = false;
-    tree_->radiusSearch(&from.x, radius * radius * (1 + 1e-9), found, unsorted);
-    double best = square;
-    std::uint32_t triangle = places_.owner[place];
-    for (const auto& [candidate, unused] : found) {
-      const std::array<Vector, 3> corners = corners_of(places_.owner[candidate]);
-      const double distance = squared_distance(from, nearest_on_triangle(from, corners));
-      if (distance < best) {
-        best = distance;
-        triangle = places_.owner[candidate];
-      }
+    if (triangles_) {
+      const TriangleTree::Nearest nearest = triangles_->nearest_to(from, last_);
+      last_ = nearest.triangle;
+      return {std::sqrt(nearest.square), normal_of(triangles_->corners_of(last_))};
     }
-    return {std::sqrt(best), normal_of(corners_of(triangle))};
+    const auto [point, square] = nearest_point(from);
+    return {std::sqrt(square), point_normal(point)};
+  }
+
+  // Returns the squared distance, or a number from it to `enough` if it is less than that.
+  double square_to(const Vector& from, double enough) const {
+    if (!triangles_) return nearest_point(from).second;
+    const TriangleTree::Nearest nearest = triangles_->nearest_to(from, last_, enough);
+    last_ = nearest.triangle;
+    return nearest.square;
   }
 
  private:
-  std::array<Vector, 3> corners_of(std::size_t triangle) const {
-    return {point_at(geometry_, shift_, geometry_.triangles[3 * triangle]),
-            point_at(geometry_, shift_, geometry_.triangles[3 * triangle + 1]),
-            point_at(geometry_, shift_, geometry_.triangles[3 * triangle + 2])};
+  std::pair<std::uint32_t, double> nearest_point(const Vector& from) const {
+    std::uint32_t place = 0;
+    double square = 0;
+    points_->knnSearch(&from.x, 1, &place, &square);
+    return {place, square};
   }
 
   Vector point_normal(std::size_t point) const {
@@ -99,46 +89,11 @@ class Surface {
     return {geometry_.normals[3 * point], geometry_.normals[3 * point + 1], geometry_.normals[3 * point + 2]};
   }
 
-  void gather() {
-    if (geometry_.triangles.empty()) {
-      for (std::uint32_t i = 0; i < geometry_.point_count(); ++i) {
-        places_.positions.push_back(point_at(geometry_, shift_, i));
-        places_.owner.push_back(i);
-      }
-      return;
-    }
-    std::vector<double> longest(geometry_.triangle_count());
-    for (std::size_t i = 0; i < longest.size(); ++i) longest[i] = longest_edge(corners_of(i));
-    std::vector<double> sorted = longest;
-    std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
-    const double median = sorted[sorted.size() / 2];
-    // A triangle with an edge a thousand times as long as the median gets a million places. Longer edges increase the
-    // spacing.
-    places_.spacing = std::max(median, *std::max_element(sorted.begin(), sorted.end()) / 1000);
-    for (std::uint32_t i = 0; i < longest.size(); ++i) add_places(i, longest[i]);
-  }
-
-  // Divides a triangle into equal parts. The places are the centroids of the parts. No point of a part is farther from
-  // the centroid than two thirds of the part's longest edge.
-  void add_places(std::uint32_t triangle, double longest) {
-    const std::array<Vector, 3> corners = corners_of(triangle);
-    const int parts = places_.spacing > 0 ? std::max(1, static_cast<int>(std::ceil(longest / places_.spacing))) : 1;
-    for (int row = 0; row < parts; ++row)
-      for (int column = 0; column < 2 * (parts - row) - 1; ++column) {
-        const bool turned = column % 2 == 1;
-        const double third = turned ? 2.0 / 3 : 1.0 / 3;
-        const double a = (row + third) / parts;
-        const double b = (std::floor(column / 2.0) + third) / parts;
-        places_.positions.push_back(blend(corners, {1 - a - b, a, b}));
-        places_.owner.push_back(triangle);
-      }
-  }
-
   const Geometry& geometry_;
-  std::array<double, 3> shift_;
+  std::optional<TriangleTree> triangles_;
+  mutable std::uint32_t last_ = 0;  // the triangle found last; the next one is often near
   Places places_;
-  std::optional<Tree> tree_;
-  mutable std::vector<Found> found_;
+  std::optional<PointTree> points_;
 };
 
 struct Sums {
@@ -163,9 +118,9 @@ class Samples {
   Samples(const Geometry& geometry, const std::array<double, 3>& shift) : geometry_(geometry), shift_(shift) {}
 
   // Visits random points of the surface. The area is divided into equal shares, and each share has one point. The
-  // points are the same every time.
+  // points are the same every time. Ends if `visit` returns false.
   template <class Visit>
-  void by_area(Visit&& visit) const {
+  void by_area(std::size_t count, Visit&& visit) const {
     double total = 0;
     std::vector<double> until(geometry_.triangle_count());
     for (std::size_t i = 0; i < until.size(); ++i) until[i] = total += area_of(corners_of(i));
@@ -173,13 +128,13 @@ class Samples {
     std::mt19937_64 random(1);
     std::uniform_real_distribution<double> uniform(0, 1);
     std::size_t triangle = 0;
-    for (std::size_t i = 0; i < samples_by_area; ++i) {
-      const double share = (static_cast<double>(i) + uniform(random)) / static_cast<double>(samples_by_area) * total;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double share = (static_cast<double>(i) + uniform(random)) / static_cast<double>(count) * total;
       while (triangle + 1 < until.size() && until[triangle] < share) ++triangle;
       const double root = std::sqrt(uniform(random));
       const double b = uniform(random);
       const std::array<Vector, 3> corners = corners_of(triangle);
-      visit(blend(corners, {1 - root, root * (1 - b), root * b}), normal_of(corners));
+      if (!visit(blend(corners, {1 - root, root * (1 - b), root * b}), normal_of(corners))) return;
     }
   }
 
@@ -191,7 +146,7 @@ class Samples {
       Vector normal{};
       if (!geometry_.normals.empty())
         normal = {geometry_.normals[3 * i], geometry_.normals[3 * i + 1], geometry_.normals[3 * i + 2]};
-      if (used[i]) visit(point_at(geometry_, shift_, i), normal);
+      if (used[i] && !visit(point_at(geometry_, shift_, i), normal)) return;
     }
   }
 
@@ -216,10 +171,11 @@ OneWay one_way(const Samples& from, bool has_triangles, std::size_t points, cons
     return [&](const Vector& position, const Vector& normal) {
       sums.add(to.nearest_to(position), normal);
       if (++done % progress_step == 0 && progress) progress(static_cast<double>(done) / expected);
+      return true;
     };
   };
   from.points(into(by_point));
-  if (has_triangles) from.by_area(into(by_area));
+  if (has_triangles) from.by_area(samples_by_area, into(by_area));
   const Sums& sums = by_area.count > 0 ? by_area : by_point;
   OneWay way;
   way.greatest = std::max(by_point.greatest, by_area.greatest);
@@ -229,13 +185,42 @@ OneWay one_way(const Samples& from, bool has_triangles, std::size_t points, cons
   return way;
 }
 
+// Returns the greatest squared distance of a sample, or `least` if that is greater. Stops with a distance above `most`.
+// Most samples are nearer than that to the triangle that was the nearest one before.
+double greatest_square(const Samples& from, bool has_triangles, const Surface& to, double least, double most,
+                       std::size_t samples) {
+  double greatest = least;
+  const auto visit = [&](const Vector& position, const Vector& /*normal*/) {
+    greatest = std::max(greatest, to.square_to(position, greatest));
+    return greatest <= most;
+  };
+  from.points(visit);
+  if (has_triangles && greatest <= most) from.by_area(samples, visit);
+  return greatest;
+}
+
+std::array<double, 3> shift_between(const Geometry& geometry, const Geometry& reference) {
+  std::array<double, 3> shift{};
+  for (std::size_t axis = 0; axis < 3; ++axis) shift[axis] = geometry.origin[axis] - reference.origin[axis];
+  return shift;
+}
+
 }  // namespace
 
 double Distance::rms() const { return std::sqrt((there.rms * there.rms + back.rms * back.rms) / 2); }
 
+double diagonal_of(const Geometry& geometry) {
+  Vector low = point_at(geometry, {}, 0);
+  Vector high = low;
+  for (std::size_t i = 0; i < geometry.positions.size(); ++i) {
+    low[i % 3] = std::min(low[i % 3], static_cast<double>(geometry.positions[i]));
+    high[i % 3] = std::max(high[i % 3], static_cast<double>(geometry.positions[i]));
+  }
+  return std::sqrt(squared_distance(low, high));
+}
+
 std::vector<float> distances_of_points(const Geometry& points, const Geometry& surface) {
-  std::array<double, 3> shift{};  // from the surface's origin to that of the points
-  for (std::size_t axis = 0; axis < 3; ++axis) shift[axis] = points.origin[axis] - surface.origin[axis];
+  const std::array<double, 3> shift = shift_between(points, surface);
   const Surface wanted(surface, {});
   std::vector<float> distances(points.point_count());
   for (std::size_t i = 0; i < distances.size(); ++i)
@@ -245,16 +230,9 @@ std::vector<float> distances_of_points(const Geometry& points, const Geometry& s
 
 Distance distance_between(const Geometry& result, const Geometry& reference,
                           const std::function<void(double fraction)>& progress) {
-  std::array<double, 3> shift{};  // from the reference's origin to the result's
-  for (std::size_t axis = 0; axis < 3; ++axis) shift[axis] = result.origin[axis] - reference.origin[axis];
+  const std::array<double, 3> shift = shift_between(result, reference);
   Distance distance;
-  Vector low = point_at(reference, {}, 0);
-  Vector high = low;
-  for (std::size_t i = 0; i < reference.positions.size(); ++i) {
-    low[i % 3] = std::min(low[i % 3], static_cast<double>(reference.positions[i]));
-    high[i % 3] = std::max(high[i % 3], static_cast<double>(reference.positions[i]));
-  }
-  distance.diagonal = std::sqrt(squared_distance(low, high));
+  distance.diagonal = diagonal_of(reference);
   const auto half = [&](double begin) {
     return [&progress, begin](double fraction) {
       if (progress) progress(begin + fraction / 2);
@@ -267,6 +245,21 @@ Distance distance_between(const Geometry& result, const Geometry& reference,
   const Surface to(result, shift);
   distance.back = one_way({reference, {}}, !reference.triangles.empty(), reference.point_count(), to, half(0.5));
   return distance;
+}
+
+HausdorffDistance hausdorff_from(const Geometry& reference) {
+  const auto surface = std::make_shared<const Surface>(reference, std::array<double, 3>{});
+  return [surface, &reference](const Geometry& result, const Needed& needed) {
+    const std::array<double, 3> shift = shift_between(result, reference);
+    const std::size_t samples = std::max<std::size_t>(1, samples_by_area / needed.one_of);
+    const double most = needed.most * needed.most;
+    double square = needed.least * needed.least;
+    square = greatest_square({result, shift}, !result.triangles.empty(), *surface, square, most, samples);
+    if (square <= most)
+      square =
+          greatest_square({reference, {}}, !reference.triangles.empty(), Surface(result, shift), square, most, samples);
+    return std::sqrt(square);
+  };
 }
 
 }  // namespace glark::geometry

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <vector>
 
 #include "glark/clients/geometry/geometry.h"
@@ -29,10 +30,26 @@ struct Distance {
   double rms() const;  // over both ways
 };
 
+// Returns the diagonal of the bounding box of the points. There is at least one.
+double diagonal_of(const Geometry& geometry);
+
 // Returns the distance of each point to the surface, in the unit of the positions. Neither geometry is empty.
 std::vector<float> distances_of_points(const Geometry& points, const Geometry& surface);
 
 Distance distance_between(const Geometry& result, const Geometry& reference,
                           const std::function<void(double fraction)>& progress);
+
+// How exact a Hausdorff distance must be. Less saves time.
+struct Needed {
+  double least = 0;                                       // a distance that is less gives this number
+  double most = std::numeric_limits<double>::infinity();  // one that is more gives any number above this one
+  std::size_t one_of = 1;                                 // takes one of so many random points on triangles
+};
+
+// Without limits, it returns distance_between(result, reference).hausdorff(), in less time.
+using HausdorffDistance = std::function<double(const Geometry& result, const Needed& needed)>;
+
+// Returns the function for a reference, which outlives it. Neither geometry is empty.
+HausdorffDistance hausdorff_from(const Geometry& reference);
 
 }  // namespace glark::geometry

@@ -3,6 +3,7 @@
 #include "glark/clients/vstree/simplify/collapse.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <limits>
 #include <numeric>
@@ -32,6 +33,7 @@ bool can_collapse(const Mesh& mesh, const SimplifyOptions& options) {
 namespace {
 
 constexpr float little = 1e-5F;  // of the longest side
+constexpr int most_tries = 8;    // to avoid edges of more than two triangles
 
 // Points that differ only in their normals are one vertex.
 struct Welded {
@@ -156,29 +158,121 @@ Simplified whole(const Surface& surface) {
   return result;
 }
 
+// Collapses the edges of a surface. Vertices can be locked for a further try.
+class Collapser {
+ public:
+  Collapser(const Surface& surface, const SimplifyOptions& options)
+      : surface_(surface), options_(options), welded_(surface) {
+    // meshoptimizer's errors are relative to the longest side of the bounding box.
+    const float side = meshopt_simplifyScale(welded_.positions.data(), welded_.size(), 3 * sizeof(float));
+    to_diagonal_ = side / (surface.cube.diagonal * surface.cube.side);
+    positions_ = moved_a_little(welded_.positions, little * side);
+  }
+
+  Simplified run() {
+    const bool has_limit = options_.max_error > 0 || options_.target == 0;
+    const float most_error = options_.max_error > 0 || options_.target > 0 ? options_.max_error : options_.threshold;
+    const std::size_t target = std::min(3 * options_.target, welded_.triangles.size());
+    triangles_.resize(welded_.triangles.size());
+    float error = 0;
+    triangles_.resize(meshopt_simplify(triangles_.data(), welded_.triangles.data(), welded_.triangles.size(),
+                                       positions_.data(), positions_.size() / 3, 3 * sizeof(float), target,
+                                       has_limit ? most_error / to_diagonal_ : 1e9F, 0, &error));
+    std::vector<std::uint32_t> triangles = triangles_;
+    choose_points(surface_, welded_, triangles);
+    Simplified result = with_used_points(surface_, std::move(triangles));
+    result.method = Method::collapse;
+    result.error = error * to_diagonal_;
+    part_touching_sheets(surface_, has_limit ? most_error : 1, result);
+    return result;
+  }
+
+  // Locks the vertices around the edges that had more than two triangles in the last run, but not in the surface. So the
+  // triangles there stay those of the surface. Returns whether there was any to lock.
+  bool lock_crowded_edges() {
+    if (places_.empty()) find_places();
+    const std::vector<Edge> edges = crowded_edges(at_places(triangles_), welded_.size());
+    std::vector<std::uint8_t> is_end(welded_.size());
+    for (const Edge& edge : edges) {
+      if (std::binary_search(given_.begin(), given_.end(), edge)) continue;
+      is_end[edge.first] = is_end[edge.second] = 1;
+    }
+    std::vector<std::uint8_t> is_near(welded_.size());
+    for (std::size_t t = 0; t < given_triangles_.size(); t += 3) {
+      const std::uint32_t* const corners = &given_triangles_[t];
+      if ((is_end[corners[0]] | is_end[corners[1]] | is_end[corners[2]]) == 0) continue;
+      for (std::size_t k = 0; k < 3; ++k) is_near[corners[k]] = 1;
+    }
+    bool any = false;
+    for (std::uint32_t i = 0; i < is_near.size(); ++i) {
+      if (is_near[i] == 0 || is_locked_[i] != 0) continue;
+      any = true;
+      lock(i);
+    }
+    return any;
+  }
+
+ private:
+  void find_places() {
+    places_.resize(welded_.size());
+    meshopt_generateVertexRemap(places_.data(), nullptr, welded_.size(), welded_.positions.data(), welded_.size(),
+                                3 * sizeof(float));
+    is_locked_.resize(welded_.size());
+    at_place_.resize(welded_.size());
+    for (std::uint32_t i = 0; i < welded_.size(); ++i) at_place_[places_[i]] = i;
+    given_triangles_ = at_places(welded_.triangles);
+    given_ = crowded_edges(given_triangles_, welded_.size());
+  }
+
+  std::vector<std::uint32_t> at_places(const std::vector<std::uint32_t>& triangles) const {
+    std::vector<std::uint32_t> result;
+    result.reserve(triangles.size());
+    for (const std::uint32_t i : triangles) result.push_back(places_[i]);
+    return result;
+  }
+
+  // meshoptimizer 0.18 has no other way to lock a vertex: one with three or more copies does not move.
+  void lock(std::uint32_t place) {
+    is_locked_[place] = 1;
+    std::array<float, 3> position{};
+    std::copy_n(&positions_[3 * std::size_t{at_place_[place]}], 3, position.begin());
+    for (int copy = 0; copy < 2; ++copy) positions_.insert(positions_.end(), position.begin(), position.end());
+  }
+
+  const Surface& surface_;
+  const SimplifyOptions& options_;
+  Welded welded_;
+  float to_diagonal_ = 1;
+  std::vector<float> positions_;                // moved a little, then copies of those that are locked
+  std::vector<std::uint32_t> triangles_;        // of the last run
+  std::vector<std::uint32_t> places_;           // [vertices]: vertices at one position have one place
+  std::vector<std::uint32_t> at_place_;         // a vertex of each place
+  std::vector<std::uint8_t> is_locked_;         // [places]
+  std::vector<std::uint32_t> given_triangles_;  // of the surface, between places
+  std::vector<Edge> given_;                     // its edges of more than two triangles
+};
+
 }  // namespace
 
+// Some edges of more than two triangles cannot be parted. Then the vertices around them are locked, and the surface is
+// collapsed again, unless that leaves too many triangles.
 Simplified collapse(const Surface& surface, const SimplifyOptions& options) {
   if (options.max_error == 0 && options.target >= surface.triangles.size() / 3) return whole(surface);
-  const Welded welded(surface);
-  const float most_error = options.max_error > 0 || options.target > 0 ? options.max_error : options.threshold;
-  // meshoptimizer's errors are relative to the longest side of the bounding box.
-  const float side = meshopt_simplifyScale(welded.positions.data(), welded.size(), 3 * sizeof(float));
-  const float to_diagonal = side / (surface.cube.diagonal * surface.cube.side);
-  const std::vector<float> positions = moved_a_little(welded.positions, little * side);
-  const bool has_limit = most_error > 0 || options.target == 0;
-  const std::size_t target = std::min(3 * options.target, welded.triangles.size());
-  std::vector<std::uint32_t> triangles(welded.triangles.size());
-  float error = 0;
-  triangles.resize(meshopt_simplify(triangles.data(), welded.triangles.data(), welded.triangles.size(),
-                                    positions.data(), welded.size(), 3 * sizeof(float), target,
-                                    has_limit ? most_error / to_diagonal : 1e9F, 0, &error));
-  choose_points(surface, welded, triangles);
-  Simplified result = with_used_points(surface, std::move(triangles));
-  result.method = Method::collapse;
-  result.error = error * to_diagonal;
-  part_touching_sheets(surface, result);
-  return result;
+  Collapser collapser(surface, options);
+  Simplified best = collapser.run();
+  std::size_t least = crowded_edge_count(best.positions, best.triangles);
+  if (least == 0) return best;
+  const std::size_t given = crowded_edge_count(surface.points.positions, surface.triangles);
+  const std::size_t most = std::max(options.target, best.triangles.size() / 3);
+  for (int tries = 0; tries < most_tries && least > given && collapser.lock_crowded_edges(); ++tries) {
+    Simplified other = collapser.run();
+    const std::size_t edges = crowded_edge_count(other.positions, other.triangles);
+    if (options.target > 0 && other.triangles.size() / 3 > most) break;  // further locks leave still more
+    if (edges >= least || other.triangles.empty()) continue;
+    least = edges;
+    best = std::move(other);
+  }
+  return best;
 }
 
 #else

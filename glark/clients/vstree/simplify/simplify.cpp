@@ -16,6 +16,7 @@
 #include "glark/clients/vstree/simplify/collapse.h"
 #include "glark/clients/vstree/simplify/components.h"
 #include "glark/clients/vstree/simplify/shapes.h"
+#include "glark/clients/vstree/simplify/touching_sheets.h"
 #include "glark/clients/vstree/validation.h"
 
 namespace glark::vstree {
@@ -133,6 +134,16 @@ Simplified cluster_vertices(const Surface& surface, const SimplifyOptions& optio
   return result;
 }
 
+#if GLARK_HAS_MESHOPTIMIZER
+// Whether more edges have more than two triangles than in the surface.
+bool adds_crowded_edges(const Surface& surface, const Simplified& result) {
+  const std::size_t edges = crowded_edge_count(result.positions, result.triangles);
+  return edges > 0 && edges > crowded_edge_count(surface.points.positions, surface.triangles);
+}
+#else
+bool adds_crowded_edges(const Surface&, const Simplified&) { return false; }
+#endif
+
 void check(const SimplifyOptions& options) {
   check(Options{.threshold = options.threshold, .delta_a = options.delta_a, .delta_d = options.delta_d});
   if (!(options.max_error >= 0) || options.max_error > 1e18F)
@@ -164,8 +175,13 @@ Simplified simplify(const Mesh& mesh, const SimplifyOptions& options) {
     if (!may_collapse || !falls_apart(surface, *clustered)) return *std::move(clustered);
   }
   Simplified collapsed = collapse(surface, options);
-  const bool is_too_large = options.max_error == 0 && collapsed.triangles.size() / 3 > options.target;
-  if (!is_automatic || !is_too_large) return collapsed;
+  if (!is_automatic || options.max_error > 0) return collapsed;
+  if (collapsed.triangles.size() / 3 <= options.target) {
+    if (!adds_crowded_edges(surface, collapsed)) return collapsed;
+    if (!clustered) clustered = cluster_vertices(surface, options, workers);
+    const bool is_better = !clustered->triangles.empty() && !adds_crowded_edges(surface, *clustered);
+    return is_better && !falls_apart(surface, *clustered) ? *std::move(clustered) : collapsed;
+  }
   return clustered ? *std::move(clustered) : cluster_vertices(surface, options, workers);
 }
 

@@ -22,7 +22,6 @@ constexpr float apart = 0.02F;      // relative to the middle of a vertex's tria
 constexpr double most_lost = 0.02;  // of the area
 
 using Place = std::array<float, 3>;
-using Edge = std::pair<std::uint32_t, std::uint32_t>;
 
 Place place_of(std::span<const float> positions, std::uint32_t i) {
   return {positions[3 * std::size_t{i}] + 0.0F, positions[3 * std::size_t{i} + 1] + 0.0F,
@@ -44,20 +43,7 @@ struct Places {
     for (const std::uint32_t i : of) triangles.push_back(place[i]);
   }
 
-  // The edges of more than two triangles. Their ends are irregular vertices.
-  std::vector<Edge> crowded_edges() const {
-    const std::vector<std::uint8_t> irregular = common::irregular_vertices(triangles, count);
-    std::vector<Edge> edges, result;
-    for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-      const std::uint32_t a = triangles[i], b = triangles[common::next_corner(i)];
-      if (a != b && (irregular[a] & irregular[b]) != 0) edges.emplace_back(std::minmax(a, b));
-    }
-    std::sort(edges.begin(), edges.end());
-    for (std::size_t i = 2; i < edges.size(); ++i) {
-      if (edges[i] == edges[i - 2] && (result.empty() || result.back() != edges[i])) result.push_back(edges[i]);
-    }
-    return result;
-  }
+  std::vector<Edge> crowded_edges() const { return vstree::crowded_edges(triangles, count); }
 };
 
 double area_of(const Surface& surface, const Simplified& result, std::size_t triangle) {
@@ -115,7 +101,7 @@ class Parting {
  public:
   Parting(const Surface& surface, Simplified& result) : surface_(surface), result_(result) {}
 
-  void run(const Places& places, const std::vector<Edge>& edges) {
+  void run(const Places& places, const std::vector<Edge>& edges, float most_moved) {
     find_places(places);
     std::vector<std::uint8_t> is_cut(places.count);
     const std::set<Place> given = given_places();
@@ -129,6 +115,11 @@ class Parting {
     for (std::size_t i = points_.size(); i < originals.size(); ++i) points_.push_back(Float4(points_[originals[i]]));
     std::vector<Float4> moved = points_;
     common::move_apart(moved, triangles, originals, apart);
+    for (std::size_t i = 0; i < moved.size(); ++i) {
+      const Float4 way = moved[i] - points_[i];
+      const float length = std::sqrt(dot(way, way));
+      if (length > most_moved) moved[i] = points_[i] + way * (most_moved / length);
+    }
     for (std::size_t i = 0; i < triangles.size(); ++i) give(i, triangles[i], moved[triangles[i]]);
   }
 
@@ -190,7 +181,28 @@ class Parting {
 
 }  // namespace
 
-void part_touching_sheets(const Surface& surface, Simplified& result) {
+// The ends of such edges are irregular vertices.
+std::vector<Edge> crowded_edges(const std::vector<std::uint32_t>& triangles, std::size_t count) {
+  const std::vector<std::uint8_t> irregular = common::irregular_vertices(triangles, count);
+  std::vector<Edge> edges, result;
+  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
+    const std::uint32_t a = triangles[i], b = triangles[common::next_corner(i)];
+    const std::uint32_t c = triangles[common::next_corner(common::next_corner(i))];
+    if (a == b || b == c || c == a) continue;  // a triangle without area
+    if ((irregular[a] & irregular[b]) != 0) edges.emplace_back(std::minmax(a, b));
+  }
+  std::sort(edges.begin(), edges.end());
+  for (std::size_t i = 2; i < edges.size(); ++i) {
+    if (edges[i] == edges[i - 2] && (result.empty() || result.back() != edges[i])) result.push_back(edges[i]);
+  }
+  return result;
+}
+
+std::size_t crowded_edge_count(std::span<const float> positions, std::span<const std::uint32_t> triangles) {
+  return Places(positions, triangles).crowded_edges().size();
+}
+
+void part_touching_sheets(const Surface& surface, float most_moved, Simplified& result) {
   Places places(result.positions, result.triangles);
   std::vector<Edge> edges = places.crowded_edges();
   if (edges.empty()) return;
@@ -200,7 +212,7 @@ void part_touching_sheets(const Surface& surface, Simplified& result) {
     places = Places(result.positions, result.triangles);
     edges = places.crowded_edges();
   }
-  if (!edges.empty()) Parting(surface, result).run(places, edges);
+  if (!edges.empty()) Parting(surface, result).run(places, edges, most_moved * surface.cube.diagonal);
   drop_pinched_off(surface, result);
   drop_unused_vertices(result);
 }

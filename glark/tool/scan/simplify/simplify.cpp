@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "glark/clients/geometry/measure/area.h"
 #include "glark/clients/geometry/measure/topology.h"
 #include "glark/tool/scan/commands.h"
 #include "glark/tool/scan/files.h"
@@ -19,6 +20,7 @@
 #include "glark/tool/scan/rgb.h"
 #include "glark/tool/scan/simplified.h"
 #include "glark/tool/scan/simplify/connections.h"
+#include "glark/tool/scan/simplify/within_error.h"
 #if GLARK_HAS_STREAM
 #include "glark/tool/scan/parts/large_mesh.h"
 #endif
@@ -67,11 +69,24 @@ void warn_of_losses(const geometry::Geometry& geometry, const Coarse& coarse, co
   }
   warn_of_alpha(geometry.colours, file);
   const std::size_t target = command.options.target, count = coarse.geometry.triangle_count();
-  const bool was_stopped = command.options.max_error > 0 && coarse.error > 0;
+  const bool was_stopped = coarse.measured.has_value();
   if (coarse.method == vstree::Method::collapse && target > 0 && count > target && !was_stopped)
     warn(fmt::format(
         "{}: no further edge can collapse; {} triangles are left, more than --target {}; --fast gives fewer", file,
         count, target));
+}
+
+// Warns if much fewer triangles are left than the target allows, and no --max-error explains why.
+void warn_of_few(const geometry::Geometry& geometry, const Coarse& coarse, const Simplify& command) {
+  const std::size_t target = command.options.target, count = coarse.geometry.triangle_count();
+  if (geometry.triangles.empty() || count == 0 || 10 * count >= 9 * target) return;
+  warn(fmt::format("{}: {} triangle{} left, far fewer than --target {}: {}", command.files.input, count,
+                   count == 1 ? " is" : "s are", target,
+                   coarse.method == vstree::Method::cluster
+                       ? "sheets that are nearer to each other than the clusters are wide cancel out or become one; "
+                         "use --method collapse"
+                       : "with so few, sheets of the surface meet, and triangles that cover each other are removed; "
+                         "allow more by --target"));
 }
 
 // Returns whether the input has no more triangles, or points without triangles, than the target allows.
@@ -79,14 +94,36 @@ bool is_within_target(const geometry::Geometry& geometry, std::size_t target) {
   return target > 0 && target >= (geometry.triangles.empty() ? geometry.point_count() : geometry.triangle_count());
 }
 
+// Returns a target for which triangles are left, at most twice the least one; 0 if a few tries find none.
+std::size_t target_that_works(const geometry::Geometry& geometry, vstree::SimplifyOptions options) {
+  constexpr int most_tries = 12;
+  for (int i = 0; i < most_tries; ++i) {
+    options.target *= 2;
+    if (options.target >= geometry.triangle_count()) return 0;
+    if (!simplified(geometry, options).geometry.triangles.empty()) return options.target;
+  }
+  return 0;
+}
+
 // Throws if nothing is left, so that an empty mesh replaces no file.
-void require_contents(const geometry::Geometry& coarse, const geometry::Geometry& geometry, const Simplify& command) {
+void require_contents(const Coarse& result, const geometry::Geometry& geometry, const Simplify& command) {
+  const geometry::Geometry& coarse = result.geometry;
   const bool lost_triangles = coarse.triangles.empty() && !geometry.triangles.empty();
   if (coarse.point_count() > 0 && !lost_triangles) return;
-  throw geometry::Error(
-      command.files.input +
-      ": all its triangles are so flat or small that they vanish, and the result is empty; nothing is written; " +
-      (command.options.target > 0 ? "allow more by --target" : "keep some by --target, or allow less by --error"));
+  const std::size_t target = command.options.target;
+  const bool is_flat = geometry::area_of(geometry) == 0;
+  std::string cause = "all its triangles are so flat or small that they vanish";
+  std::string remedy = target > 0 ? "allow more by --target" : "keep some by --target, or allow less by --error";
+  if (const std::size_t works = target > 0 && !is_flat ? target_that_works(geometry, command.options) : 0; works > 0) {
+    cause = fmt::format("--target {} is too small for its shape", target);
+    remedy = fmt::format("--target {} works", works);
+  } else if (target > 0 && !is_flat && result.method == vstree::Method::cluster) {
+    cause =
+        "its sheets lie on each other, or so near that their triangles face each other in the same clusters and cancel";
+    remedy = "use --method collapse";
+  }
+  throw geometry::Error(command.files.input + ": " + cause + ", and the result is empty; nothing is written; " +
+                        remedy);
 }
 
 Coarse coarse_of(const Input& input, const Simplify& command, double& seconds) {
@@ -95,16 +132,20 @@ Coarse coarse_of(const Input& input, const Simplify& command, double& seconds) {
     if (input.is_whole)
       warn(fmt::format("{}: it has no more {} than --target allows; the result is the whole input", command.files.input,
                        geometry.triangles.empty() ? "points" : "triangles"));
-    return {geometry, input.is_whole ? vstree::Method::collapse : vstree::Method::cluster, 0};
+    return {geometry, input.is_whole ? vstree::Method::collapse : vstree::Method::cluster, 0, {}};
   }
   Coarse coarse{};
   {
     Progress progress("simplifying");
     progress.show(-1);
-    coarse = simplified(geometry, command.options);
+    const vstree::SimplifyOptions& options = command.options;
+    const bool is_bound = options.max_error > 0 && options.method != vstree::Method::cluster;
+    coarse = is_bound && !geometry.triangles.empty() ? simplified_within_error(geometry, options)
+                                                     : simplified(geometry, options);
     seconds = progress.seconds();
   }
   warn_of_losses(geometry, coarse, command);
+  warn_of_few(geometry, coarse, command);
   return coarse;
 }
 
@@ -131,14 +172,17 @@ void simplify(const Simplify& command) {
   double seconds = 0;
   const Coarse simplification = coarse_of(input, command, seconds);
   const geometry::Geometry& coarse = simplification.geometry;
-  require_contents(coarse, input.geometry, command);
+  require_contents(simplification, input.geometry, command);
   store(coarse, command.files);
   Report report;
   report["input"] = input.contents;
   report["output"] = contents_of(coarse);
   const bool is_collapsed = simplification.method == vstree::Method::collapse;
   report["method"] = is_collapsed ? "collapse" : "cluster";
-  if (is_collapsed) report["estimated_error_percent"] = 100 * static_cast<double>(simplification.error);
+  if (simplification.measured)
+    report["measured_error_percent"] = 100 * *simplification.measured;
+  else if (is_collapsed)
+    report["estimated_error_percent"] = 100 * static_cast<double>(simplification.error);
   report["seconds"] = input.is_whole ? seconds : reading.seconds();  // with the sampling
   if (input.is_whole && !input.geometry.triangles.empty())
     report.update(connections_report(input.geometry, coarse, command.files.output));
@@ -189,8 +233,8 @@ void describe_method(CLI::App& command, Simplify& simplification) {
   command.add_flag("--fast", simplification.is_fast, "The same as --method cluster")->excludes(method);
   command
       .add_option("--max-error", options.max_error,
-                  "Collapse: stop before the estimated error is greater, as a part of the bounding box's diagonal; "
-                  "default: no limit")
+                  "Collapse: the greatest distance between the result and the input, as a part of the bounding box's "
+                  "diagonal; measured; default: no limit")
       ->check(above_zero())
       ->excludes("--fast")
       ->excludes("--error");

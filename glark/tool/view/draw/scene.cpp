@@ -280,7 +280,7 @@ Statistics Scene::draw(const Camera& camera, const DrawSettings& settings, const
   Statistics statistics{1, geometry_.triangles.size(), 0, 0, 0, 0, 0, {}, 0};
   if (patterns)
     statistics = draw_patterns(camera, settings, part);
-  else if (geometry_.triangles.empty() || settings.mode == Mode::strip)
+  else if (geometry_.triangles.empty())
     statistics = draw_strips(camera, settings, part);
   else
     draw_triangles();
