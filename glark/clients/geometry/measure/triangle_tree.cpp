@@ -2,40 +2,73 @@
 // SPDX-License-Identifier: MIT
 #include "glark/clients/geometry/measure/triangle_tree.h"
 
+#include <Eigen/Geometry>
+
 #include <limits>
 #include <numeric>
-#include <utility>
+
+#include <unsupported/Eigen/BVH>
 
 namespace glark::geometry {
 namespace {
 
-constexpr std::uint32_t most_in_leaf = 4;
-constexpr std::size_t deepest = 64;  // each level halves the number of triangles
+using Box = Eigen::AlignedBox3d;
 
-double square_to_box(const Vector& from, const Vector& low, const Vector& high) {
-  double square = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    const double outside = std::max({low[axis] - from[axis], 0.0, from[axis] - high[axis]});
-    square += outside * outside;
+Eigen::Vector3d eigen(const Vector& v) { return {v.x, v.y, v.z}; }
+
+}  // namespace
+
+struct TriangleTree::Boxes {
+  Eigen::KdBVH<double, 3, std::uint32_t> tree;
+};
+
+namespace {
+
+// What BVMinimize() asks for. Boxes that cannot have a nearer triangle are infinitely far.
+class Search {
+ public:
+  using Scalar = double;
+
+  Search(const TriangleTree& tree, const Vector& from, std::uint32_t guess, double enough)
+      : tree_(tree), from_(from), point_(eigen(from)), enough_(enough), best_{guess, square_to(guess)} {}
+
+  double minimumOnVolume(const Box& box) const {
+    const double square = box.squaredExteriorDistance(point_);
+    return square < best_.square && best_.square > enough_ ? square : std::numeric_limits<double>::infinity();
   }
-  return square;
-}
+  double minimumOnObject(std::uint32_t triangle) {
+    if (best_.square > enough_) {
+      if (const double square = square_to(triangle); square < best_.square) best_ = {triangle, square};
+    }
+    return best_.square;
+  }
+  const TriangleTree::Nearest& best() const { return best_; }
+
+ private:
+  double square_to(std::uint32_t triangle) const {
+    return squared_distance(from_, nearest_on_triangle(from_, tree_.corners_of(triangle)));
+  }
+
+  const TriangleTree& tree_;
+  Vector from_;
+  Eigen::Vector3d point_;
+  double enough_;
+  TriangleTree::Nearest best_;
+};
 
 }  // namespace
 
 TriangleTree::TriangleTree(const Geometry& geometry, const std::array<double, 3>& shift)
-    : geometry_(geometry), shift_(shift), order_(geometry.triangle_count()) {
-  std::iota(order_.begin(), order_.end(), 0U);
-  std::vector<Box> boxes(order_.size());
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const std::array<Vector, 3> corners = corners_of(i);
-    boxes[i] = {least(least(corners[0], corners[1]), corners[2]),
-                greatest(greatest(corners[0], corners[1]), corners[2])};
-  }
-  nodes_.reserve(order_.size());
-  nodes_.push_back({{}, 0, static_cast<std::uint32_t>(order_.size()), 0});
-  for (std::size_t i = 0; i < nodes_.size(); ++i) split(i, boxes);
+    : geometry_(geometry), shift_(shift), boxes_(std::make_unique<Boxes>()) {
+  std::vector<std::uint32_t> triangles(geometry.triangle_count());
+  std::iota(triangles.begin(), triangles.end(), 0U);
+  std::vector<Box> boxes(triangles.size());
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    for (const Vector& corner : corners_of(i)) boxes[i].extend(eigen(corner));
+  boxes_->tree.init(triangles.begin(), triangles.end(), boxes.begin(), boxes.end());
 }
+
+TriangleTree::~TriangleTree() = default;
 
 std::array<Vector, 3> TriangleTree::corners_of(std::size_t triangle) const {
   std::array<Vector, 3> corners;
@@ -47,56 +80,10 @@ std::array<Vector, 3> TriangleTree::corners_of(std::size_t triangle) const {
   return corners;
 }
 
-// Computes the box of the node. Divides its triangles in two halves, along the axis on which their middles extend most.
-void TriangleTree::split(std::size_t node, const std::vector<Box>& boxes) {
-  const std::uint32_t begin = nodes_[node].begin, end = nodes_[node].end;
-  Box box = boxes[order_[begin]];
-  Vector low = box.low + box.high, high = low;  // twice the middles
-  for (std::uint32_t i = begin; i < end; ++i) {
-    const Box& other = boxes[order_[i]];
-    box = {least(box.low, other.low), greatest(box.high, other.high)};
-    low = least(low, other.low + other.high);
-    high = greatest(high, other.low + other.high);
-  }
-  nodes_[node].box = box;
-  if (end - begin <= most_in_leaf) return;
-  const Vector size = high - low;
-  const std::size_t axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  const std::uint32_t middle = begin + (end - begin) / 2;
-  std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
-                   [&](std::uint32_t a, std::uint32_t b) {
-                     return boxes[a].low[axis] + boxes[a].high[axis] < boxes[b].low[axis] + boxes[b].high[axis];
-                   });
-  nodes_[node].children = static_cast<std::uint32_t>(nodes_.size());
-  nodes_.push_back({{}, begin, middle, 0});
-  nodes_.push_back({{}, middle, end, 0});
-}
-
-double TriangleTree::square_to(const Vector& from, std::uint32_t triangle) const {
-  return squared_distance(from, nearest_on_triangle(from, corners_of(triangle)));
-}
-
 TriangleTree::Nearest TriangleTree::nearest_to(const Vector& from, std::uint32_t guess, double enough) const {
-  Nearest best{guess, square_to(from, guess)};
-  std::array<std::pair<std::uint32_t, double>, deepest> waiting;  // nodes and their squared distances
-  std::size_t count = 0;
-  waiting[count++] = {0, 0};
-  while (count > 0 && best.square > enough) {
-    const auto [index, square] = waiting[--count];
-    if (square >= best.square) continue;
-    const Node& node = nodes_[index];
-    for (std::uint32_t i = node.begin; node.children == 0 && i < node.end; ++i) {
-      if (const double other = square_to(from, order_[i]); other < best.square) best = {order_[i], other};
-    }
-    if (node.children == 0) continue;
-    std::pair<std::uint32_t, double> near{node.children, 0}, far{node.children + 1, 0};
-    for (auto* const child : {&near, &far})
-      child->second = square_to_box(from, nodes_[child->first].box.low, nodes_[child->first].box.high);
-    if (far.second < near.second) std::swap(near, far);
-    waiting[count++] = far;
-    waiting[count++] = near;
-  }
-  return best;
+  Search search(*this, from, guess, enough);
+  Eigen::BVMinimize(boxes_->tree, search);
+  return search.best();
 }
 
 }  // namespace glark::geometry
