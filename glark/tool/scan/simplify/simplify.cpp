@@ -74,6 +74,8 @@ void warn_of_losses(const geometry::Geometry& geometry, const Coarse& coarse, co
     warn(fmt::format(
         "{}: no further edge can collapse; {} triangles are left, more than --target {}; --fast gives fewer", file,
         count, target));
+  if (was_stopped && count == geometry.triangle_count())
+    warn(fmt::format("{}: no collapse of edges stays within --max-error; the result is the whole input", file));
 }
 
 // Warns if much fewer triangles are left than the target allows, and no --max-error explains why.

@@ -91,11 +91,22 @@ class Search {
 
 Coarse simplified_within_error(const geometry::Geometry& geometry, const vstree::SimplifyOptions& options) {
   Search search(geometry, options);
-  for (std::vector<Coarse> found = search.find(); !found.empty(); found.pop_back()) {
-    const double distance = search.distance_to(found.back(), {});
-    if (distance > options.max_error) continue;
-    found.back().measured = distance;
-    return std::move(found.back());
+  const auto holds = [&](Coarse& coarse) {
+    const double distance = search.distance_to(coarse, {});
+    if (distance <= options.max_error) coarse.measured = distance;
+    return coarse.measured.has_value();
+  };
+  std::vector<Coarse> found = search.find();
+  // Few samples may miss where a result is farthest, and all that were found lie just below the bound.
+  vstree::SimplifyOptions tighter = options;
+  tighter.max_error = std::min(options.max_error, 1.0F);
+  for (; !found.empty(); found.pop_back())
+    if (holds(found.back())) return std::move(found.back());
+  for (int round = 0; round < most_rounds; ++round) {
+    tighter.max_error /= 2;
+    Coarse coarse = simplified(geometry, tighter);
+    if (coarse.geometry.triangle_count() >= geometry.triangle_count()) break;
+    if (holds(coarse)) return coarse;
   }
   return {geometry, vstree::Method::collapse, 0, 0.0};
 }
