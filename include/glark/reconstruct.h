@@ -7,9 +7,10 @@
 //   const auto mesh = glark::reconstruct::reconstruct({.positions = positions, .normals = normals});
 //   use(mesh.positions, mesh.normals, mesh.triangles);  // and mesh.colours, where the samples have .colours
 //
-// The mesh is an oriented manifold, also if vertices at one position count as one. It has a boundary where the samples end. Gaps of about a transition node are
-// closed, larger gaps stay open. The mesh is semi-regular: each triangle of a coarse mesh is divided into four,
-// `levels` times. The result depends neither on the unit of length nor on the number of threads.
+// The mesh is an oriented manifold, also if vertices at one position count as one. It has a boundary where the samples
+// end. Gaps of about a transition node are closed, larger gaps stay open. The mesh is semi-regular: each triangle of a
+// coarse mesh is divided into four, `levels` times. The result depends neither on the unit of length nor on the number
+// of threads.
 //
 // Special samples:
 //   - No sample, one sample or equal samples give no triangles.
