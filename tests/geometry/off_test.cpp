@@ -123,6 +123,18 @@ TEST_F(OffFiles, ASmallModelAtSomeDistanceKeepsItsDigits) {
   }
 }
 
+// A first point that is invalid tells nothing about the origin.
+TEST_F(OffFiles, AnInvalidPointBeforeOneThatIsFarOrAtZero) {
+  const Geometry far = read_file(made("a.off", "OFF\n3 0 0\nnan 0 0\n4500000.25 5400000 0\n4500001.5 5400000 0\n"),
+                                 {.skip_invalid = true})
+                           .geometry;
+  ASSERT_EQ(far.positions.size(), 6U);
+  EXPECT_EQ(4500001.5, far.origin[0] + static_cast<double>(far.positions[3]));
+  const Geometry zero =
+      read_file(made("a.off", "OFF\n4 0 0\n0 0 0\nnan 0 0\n0 0 0\n0 0 0\n"), {.skip_invalid = true}).geometry;
+  EXPECT_EQ(zero.positions, std::vector<float>(9));
+}
+
 TEST_F(OffFiles, InvalidPointsDoNotDisturbTheOrigin) {
   const Geometry geometry =
       read_file(made("a.off", "OFF\n5 1 0\nnan 0 0\n3000.1 1 1\n3000.2 inf 1\n3000.3 1 1\n3000.3 1.1 1\n3 1 3 4\n"),

@@ -77,8 +77,11 @@ void PointBuilder::keep_rest(const Point& point, const std::array<float, 3>& rel
 }
 
 void PointBuilder::move_origin() {
-  if (!keeps_rests_ || std::all_of(rests_.begin(), rests_.end(), [](float rest) { return rest == 0; })) return;
+  const bool has_origin = origin_ != std::array<double, 3>{};
+  if (has_origin || !keeps_rests_ || std::all_of(rests_.begin(), rests_.end(), [](float rest) { return rest == 0; }))
+    return;
   std::vector<float>& positions = geometry_.positions;
+  rests_.resize(positions.size());  // of points at zero
   std::size_t first = 0;
   while (first / 3 < invalid_.size() && invalid_[first / 3] == first / 3) first += 3;
   for (std::size_t axis = 0; axis < 3; ++axis) origin_[axis] = static_cast<double>(positions[first + axis]);
