@@ -32,6 +32,7 @@ class Search {
   Search(const TriangleTree& tree, const Vector& from, std::uint32_t guess, double enough)
       : tree_(tree), from_(from), point_(eigen(from)), enough_(enough), best_{guess, square_to(guess)} {}
 
+  // NOLINTBEGIN(readability-identifier-naming): Eigen's names
   double minimumOnVolume(const Box& box) const {
     const double square = box.squaredExteriorDistance(point_);
     return square < best_.square && best_.square > enough_ ? square : std::numeric_limits<double>::infinity();
@@ -42,6 +43,7 @@ class Search {
     }
     return best_.square;
   }
+  // NOLINTEND(readability-identifier-naming)
   const TriangleTree::Nearest& best() const { return best_; }
 
  private:
