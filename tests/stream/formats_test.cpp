@@ -151,7 +151,7 @@ std::string las_by_hand(unsigned minor, unsigned format, std::uint16_t record_si
   return bytes;
 }
 
-// The count of 32 bits is for readers of earlier versions.
+// LAS 1.4 has two counts of points. The one with 32 bits is for programs that read earlier versions.
 TEST_F(Formats, TheCountOf64BitsOfLasIsTheTrueOne) {
   std::string bytes = las_by_hand(4, 1, 28);
   bytes += bytes.substr(bytes.size() - 28);

@@ -32,8 +32,8 @@ struct ShareGroup {
   ProgramBinaries binaries;
   AssemblyPrograms assembly;
   std::vector<Programs*> contexts;  // one for each context that lives
-  // Of the next list segment of ours; the first has the largest name. Then glGenLists gives the application the names that
-  // it gives without them: see buffer_names.cpp.
+  // The name that our next list segment gets. Our names go down from the largest one, so that glGenLists gives the
+  // application the same names as without glark: see buffer_names.cpp.
   GLuint next_list_name = 0xFFFFFFFE;
   BufferStamps buffers;
   TextureStamps textures;

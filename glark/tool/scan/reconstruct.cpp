@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "glark/clients/geometry/measure/area.h"
+#include "glark/clients/geometry/measure/distance.h"
 #include "glark/clients/geometry/measure/triangle_normals.h"
 #include "glark/clients/reconstruct/result/listed.h"
 #include "glark/clients/reconstruct/result/loss.h"
@@ -140,12 +141,7 @@ void warn_of_left_out(const geometry::Geometry& points, const Report& numbers, c
 
 // The distance that the options allow between the mesh and the points.
 float tolerance_of(const geometry::Geometry& points, const reconstruct::ReconstructOptions& options) {
-  std::array<float, 3> low{}, high{};
-  for (std::size_t i = 0; i < points.positions.size(); ++i) {
-    low[i % 3] = i < 3 ? points.positions[i] : std::min(low[i % 3], points.positions[i]);
-    high[i % 3] = i < 3 ? points.positions[i] : std::max(high[i % 3], points.positions[i]);
-  }
-  const float diagonal = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+  const auto diagonal = static_cast<float>(geometry::diagonal_of(points));
   return 3 * std::max(options.threshold, options.error) * diagonal;  // both are root mean squares
 }
 

@@ -68,7 +68,7 @@ class Surface {
     return {std::sqrt(square), point_normal(point)};
   }
 
-  // Returns the squared distance, or a number from it to `enough` if it is less than that.
+  // Returns the squared distance. If this is less than `enough`, it may return a larger number up to `enough` instead.
   double square_to(const Vector& from, double enough) const {
     if (!triangles_) return nearest_point(from).second;
     const TriangleTree::Nearest nearest = triangles_->nearest_to(from, last_, enough);

@@ -17,6 +17,7 @@
 #include <string>
 #include <string_view>
 
+#include "glark/clients/geometry/measure/distance.h"
 #include "glark/clients/geometry/measure/topology.h"
 #include "glark/clients/geometry/read/gltf_check.h"
 #include "glark/clients/geometry/read/point_builder.h"
@@ -155,16 +156,10 @@ Importing importing(MeshFormat format, std::span<const char> bytes) {
 // Floats are far apart where coordinates are large. Returns a warning if this shows, or an empty text.
 std::string warning_of_coarse_floats(const Geometry& geometry) {
   constexpr double share_that_shows = 1e-4;  // of the diagonal
-  std::array<double, 3> low{}, high{};
-  for (std::size_t i = 0; i < geometry.positions.size(); ++i) {
-    const auto coordinate = static_cast<double>(geometry.positions[i]);
-    low[i % 3] = i < 3 ? coordinate : std::min(low[i % 3], coordinate);
-    high[i % 3] = i < 3 ? coordinate : std::max(high[i % 3], coordinate);
-  }
-  double farthest = 0;
-  for (std::size_t axis = 0; axis < 3; ++axis) farthest = std::max({farthest, -low[axis], high[axis]});
-  const double step = farthest * 0x1p-23;
-  const double diagonal = std::hypot(high[0] - low[0], high[1] - low[1], high[2] - low[2]);
+  float farthest = 0;
+  for (const float coordinate : geometry.positions) farthest = std::max(farthest, std::abs(coordinate));
+  const double step = static_cast<double>(farthest) * 0x1p-23;
+  const double diagonal = diagonal_of(geometry);
   if (step <= share_that_shows * diagonal || diagonal == 0) return {};
   return fmt::format(
       "the coordinates lie so far from zero that floats are {:.2g} apart there, and a model of this format "

@@ -41,8 +41,8 @@ class LocalBound {
   }
 
  private:
-  // A quarter of normally distributed heights is within a third of their deviation. Sheets that face the same way are
-  // no noise: of the neighbours, a quarter lies on the sheet of the point itself.
+  // The standard deviation of the heights. If they are normally distributed, a quarter of them is below a third of it.
+  // The lowest quarter lies on the sheet of the point itself, so other sheets that face the same way do not count.
   float noise() {
     if (heights_.empty()) return 0;
     const auto quarter = heights_.begin() + static_cast<std::ptrdiff_t>(heights_.size() / 4);
@@ -55,7 +55,7 @@ class LocalBound {
   std::vector<float> heights_;
 };
 
-// Some of the entries, spread evenly over the cells.
+// The entries that are no outliers, in the order of the cells.
 std::vector<std::uint32_t> chosen(const std::vector<Entry>& entries, std::span<const std::uint32_t> outliers) {
   std::vector<std::uint32_t> counting;
   counting.reserve(entries.size());
@@ -65,6 +65,7 @@ std::vector<std::uint32_t> chosen(const std::vector<Entry>& entries, std::span<c
   return counting;
 }
 
+// Keeps at most most_measured entries, spread evenly over the cells.
 void keep_some(std::vector<std::uint32_t>& counting) {
   const std::size_t all = counting.size();
   if (all <= most_measured) return;

@@ -100,7 +100,8 @@ LasHeader parse_las_header(const std::string& file, std::span<const char> bytes,
   if (header.header_size < needed || bytes.size() < needed)
     fail(file, fmt::format("it has {} bytes; version 1.{} has {}, get the file again", header.header_size, header.minor,
                            needed));
-  // The count of 32 bits is for readers of earlier versions, and 0 where they could not read the file.
+  // Version 1.4 has two counts. The one with 32 bits is for programs that read earlier versions; it is 0 where they cannot
+  // read the file.
   if (const auto points = header.minor == 4 ? value_at<std::uint64_t>(bytes, 247) : 0; points != 0)
     header.points = points;
   for (std::size_t axis = 0; axis < 3; ++axis) {

@@ -21,8 +21,8 @@ std::vector<Edge> crowded_edges(const std::vector<std::uint32_t>& triangles, std
 std::size_t crowded_edge_count(std::span<const float> positions, std::span<const std::uint32_t> triangles);
 
 // Makes at most two triangles meet in an edge, where vertices at one position count as one. Removes pairs of triangles
-// that cover each other, and moves the vertices of touching sheets a little apart: by at most `most_moved`, relative to
-// the diagonal. Edges between points where the surface itself has more than two triangles at an edge stay as they are.
+// that cover each other. Moves the vertices of touching sheets a little apart, each by at most `most_moved` times the
+// diagonal of the surface's bounding box. Edges between points where the surface itself has more than two triangles at an edge stay as they are.
 void part_touching_sheets(const Surface& surface, float most_moved, Simplified& result);
 
 }  // namespace glark::vstree
