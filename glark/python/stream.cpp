@@ -140,7 +140,8 @@ void bind_reports(py::module_& module) {
   py::class_<TransferReport>(module, "TransferReport", "What transfer() did.")
       .def_readonly("points", &TransferReport::points, "the number of points that were written")
       .def_readonly("is_deformed", &TransferReport::is_deformed, "whether a sample has moved")
-      .def_readonly("channels", &TransferReport::channels, "the names of the channels that were written");
+      .def_readonly("channels", &TransferReport::channels, "the names of the channels that were written")
+      .def_readonly("points_away", &TransferReport::points_away, "the number of points without samples around them");
   using stream::RefineReport;
   py::class_<RefineReport>(module, "RefineReport", "What refine() did.")
       .def_readonly("points_read", &RefineReport::points_read, "the number of points of the scan that were read")

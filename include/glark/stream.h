@@ -84,6 +84,9 @@ struct TransferReport {
   std::uint64_t points = 0;
   bool is_deformed = false;           // some sample has moved
   std::vector<std::string> channels;  // those that were written
+  // Points whose nearest sample is about as far from them as the others: many, if `from` is a sampling of another scan.
+  // Those of a part that a resumed transfer finds done do not count.
+  std::uint64_t points_away = 0;
 };
 
 // Transfers the edit of a sampling to the scan: `from` became `to`. Each point moves as the samples around it did, and
@@ -94,6 +97,7 @@ struct TransferReport {
 // ending of its name. It appears at the end, complete; a former file stays until then.
 // Source: Boubekeur 2007, ch. 4.4. Errors: Error for files that cannot be read or do not fit together, options out of
 // range, an output that is one of the other files or has another ending, a channel that LAS does not have, text PLY,
+// samples in another order without a channel "index" (found if neighbours became strangers),
 // samples with coordinates above 1e18, coordinates that do not fit into the numbers of the file.
 GLARK_EXPORT TransferReport transfer(const std::filesystem::path& large, const std::filesystem::path& from,
                                      const std::filesystem::path& to, const std::filesystem::path& output,

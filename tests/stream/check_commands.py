@@ -280,6 +280,15 @@ class Commands(unittest.TestCase):
         self.assertGreater(self.killed(self.path / "again.raw", *options, self.path / "again.raw"), 0)
         self.assertEqual((self.path / "out.raw").read_bytes(), (self.path / "again.raw").read_bytes())
 
+    def test_a_sampling_of_another_scan_is_told(self):
+        large, small = write_scan(self.path / "large.raw", 20000), self.path / "small.ply"
+        other = self.path / "other.raw"
+        (numpy.fromfile(large, "<f4") + numpy.float32(7)).tofile(other)
+        self.run_it("sample", large, "-o", small, "--target", 3000)
+        for scan, is_told in ((large, False), (other, True)):
+            done = self.run_it("transfer", scan, "--from", small, "--to", small, "-o", self.path / "out.raw")
+            self.assertEqual("is it a sampling of this scan?" in done.stderr, is_told, done.stderr)
+
     def test_a_full_disk_is_said_and_the_run_continues(self):
         large = write_scan(self.path / "large.raw", 1400000)
         small = self.path / "small.ply"

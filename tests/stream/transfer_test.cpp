@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: MIT
 //
 // Edits of a sampling on the whole scan, against the same edits of the scan itself.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
+#include <numeric>
+#include <random>
 
 #include "tests/stream/temporary_folder.h"
 
@@ -127,6 +130,34 @@ TEST_F(Edited, ABendIsNear) {
   EXPECT_LT(std::sqrt(sum / (static_cast<double>(out.positions.size()) / 3)), 3 * 3.14159 / 180);
 }
 
+// Points in any order, and samples at equal distances: the same bits, however many points are edited at a time.
+TEST_F(Edited, TheOrderOfThePointsMakesNoDifference) {
+  const AllPoints large = sheet(300), small = sheet(100);
+  std::vector<std::size_t> order(large.positions.size() / 3);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::shuffle(order.begin(), order.end(), std::mt19937(7));  // NOLINT(cert-msc51-cpp): each run is the same
+  const auto shuffled = [&](const AllPoints& all) {
+    AllPoints result;
+    for (const std::size_t i : order) {
+      const auto begin = static_cast<std::ptrdiff_t>(3 * i);
+      const auto positions = all.positions.begin() + begin;
+      const auto normals = all.normals.begin() + begin;
+      result.positions.insert(result.positions.end(), positions, positions + 3);
+      result.normals.insert(result.normals.end(), normals, normals + 3);
+    }
+    return result;
+  };
+  const Edit bend = [](const Point& p) { return Point{p[0], p[1], p[2] + 0.05 * p[0] * p[0] + 0.1 * p[0] * p[1]}; };
+  write("large.ply", large, plain);
+  write("shuffled.ply", shuffled(large), plain);
+  write("small.ply", small, plain);
+  write("edited.ply", moved(small, bend), plain);
+  transfer(path("large.ply"), path("small.ply"), path("edited.ply"), path("out.ply"));
+  transfer(path("shuffled.ply"), path("small.ply"), path("edited.ply"), path("shuffled.out.ply"));
+  write("expected.ply", shuffled(read_all(*open_points(path("out.ply")))), plain);
+  EXPECT_TRUE(bytes_of(path("expected.ply")) == bytes_of(path("shuffled.out.ply")));
+}
+
 TEST_F(Edited, ColoursAreAddedAndTrianglesStay) {
   AllPoints small = sheet(18);
   write("small.ply", small, plain);
@@ -212,6 +243,32 @@ TEST_F(Edited, SamplesMayBeReordered) {
   transfer(path("large.ply"), path("small.ply"), path("ordered.ply"), path("a.ply"));
   transfer(path("large.ply"), path("small.ply"), path("edited.ply"), path("b.ply"), {.threads = 1});
   EXPECT_TRUE(bytes_of(path("a.ply")) == bytes_of(path("b.ply")));
+}
+
+TEST_F(Edited, SamplesInAnotherOrderAreRefused) {
+  const AllPoints small = sheet(30);
+  AllPoints reordered = small;
+  const std::size_t count = small.positions.size() / 3;
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t k = 0; k < 3; ++k) reordered.positions[3 * (i * 1013 % count) + k] = small.positions[3 * i + k];
+  write("large.ply", sheet(100), plain);
+  write("small.ply", small, plain);
+  write("reordered.ply", reordered, plain);
+  const std::string problem =
+      problem_of([&] { transfer(path("large.ply"), path("small.ply"), path("reordered.ply"), path("out.ply")); });
+  EXPECT_NE(problem.find("another order"), std::string::npos) << problem;
+  EXPECT_FALSE(std::filesystem::exists(path("out.ply")));
+}
+
+// A sampling of one scan, and another scan beside it.
+TEST_F(Edited, PointsAwayFromAllSamplesAreCounted) {
+  const AllPoints small = sheet(30);
+  write("large.ply", sheet(100), plain);
+  write("other.ply", moved(sheet(100), [](const Point& p) { return Point{p[0] + 30, p[1], p[2]}; }), plain);
+  write("small.ply", small, plain);
+  EXPECT_LT(transfer(path("large.ply"), path("small.ply"), path("small.ply"), path("out.ply")).points_away, 250);
+  const TransferReport report = transfer(path("other.ply"), path("small.ply"), path("small.ply"), path("out.ply"));
+  EXPECT_EQ(report.points_away, report.points);
 }
 
 TEST_F(Edited, LasKeepsItsOtherNumbers) {

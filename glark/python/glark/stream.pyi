@@ -36,6 +36,7 @@ class TransferReport:
     points: int
     is_deformed: bool
     channels: List[str]
+    points_away: int
 
 class RefineReport:
     points_read: int

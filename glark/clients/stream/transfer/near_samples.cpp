@@ -71,6 +71,19 @@ void NearSamples::sort_keys(std::size_t found) {
     std::sort(keys_.begin(), keys_.begin() + static_cast<std::ptrdiff_t>(found));
 }
 
+// Keys hold the squared distances without their last bits. Those that are alike are sorted by all bits, and then by the
+// sample, so that the result does not depend on which samples are gathered.
+void NearSamples::sort_like_keys(const std::array<float, most>& squares, std::size_t found) {
+  const auto place = [&](std::int32_t key) { return static_cast<std::size_t>(key & low_bits); };
+  const auto is_nearer = [&](std::int32_t a, std::int32_t b) {
+    if (((a ^ b) & ~low_bits) != 0) return false;
+    const float square_a = squares[place(a)], square_b = squares[place(b)];
+    return square_a < square_b || (square_a == square_b && indices_[place(a)] < indices_[place(b)]);
+  };
+  for (std::size_t i = 1; i < found; ++i)
+    for (std::size_t k = i; k > 0 && is_nearer(keys_[k], keys_[k - 1]); --k) std::swap(keys_[k], keys_[k - 1]);
+}
+
 // Returns false if other samples may be nearer than those that are gathered. The triangle inequality tells it: the
 // nearest samples of the centre, and those of the last point, are near the point, too.
 bool NearSamples::choose(const Vector3f& point) {
@@ -91,6 +104,7 @@ bool NearSamples::choose(const Vector3f& point) {
   }
   if (found < count_) return false;
   sort_keys(found);
+  sort_like_keys(squares, found);
   for (std::size_t i = 0; i < count_; ++i) {
     found_[i].index = static_cast<std::uint32_t>(keys_[i] & low_bits);
     distances_[i] = std::sqrt(squares[found_[i].index]);

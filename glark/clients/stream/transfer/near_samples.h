@@ -25,14 +25,18 @@ class NearSamples {
   float reach() const { return reach_; }
   // Finds the nearest samples, the nearest one first, with the weights of the kernel. Gathers again if it has to.
   std::span<const Neighbour> find(const common::Vector3f& point, bool is_singular);
+  // Whether the last point lies away from all samples: its nearest one is about as far as all others that were found.
+  bool is_away() const { return distances_[0] > away * last_farthest_; }
   // What the indices of find() mean.
   const Samples& samples() const { return near_; }
 
  private:
   bool choose(const common::Vector3f& point);
-  void sort_keys(std::size_t found);
-
   static constexpr std::size_t most = 256;  // so that an index has 8 bits
+  static constexpr float away = 0.9F;
+
+  void sort_keys(std::size_t found);
+  void sort_like_keys(const std::array<float, most>& squares, std::size_t found);
   template <std::size_t width>
   void sort_few(std::size_t found);
 

@@ -17,6 +17,8 @@ namespace {
 using common::Vector3f;
 
 constexpr std::size_t neighbours_of_a_frame = 10;
+constexpr std::size_t tried_samples = 2000, least_tried = 100;  // whether neighbours are strangers after an edit
+constexpr float near_samples = 0.03F, far_samples = 0.1F;       // relative to the diagonal of all
 
 struct FileContents {
   std::vector<double> positions, channels;
@@ -102,8 +104,37 @@ Vector3f turned_normal(const Samples& samples, std::size_t i, const std::vector<
   return {static_cast<float>(turned[0]), static_cast<float>(turned[1]), static_cast<float>(turned[2])};
 }
 
-void turn_normals(Samples& samples, const common::Workers& workers) {
-  const SampleIndex index(samples.before);
+float diagonal_of(const std::vector<Vector3f>& positions) {
+  Vector3f low = positions[0], high = low;
+  for (const Vector3f& p : positions) {
+    low = common::least(low, p);
+    high = common::greatest(high, p);
+  }
+  return common::length(high - low);
+}
+
+// Throws Error if most samples that were neighbours are strangers: a program has written them in another order. An edit
+// tears the sampling here and there, not everywhere.
+void require_same_order(const Samples& samples, const SampleIndex& index, const std::string& file) {
+  const float near = near_samples * diagonal_of(samples.before), far = far_samples * diagonal_of(samples.after);
+  const std::size_t step = samples.size() / tried_samples + 1;
+  std::size_t neighbours = 0, strangers = 0;
+  std::vector<std::uint32_t> two;  // a sample and the one nearest to it
+  std::vector<float> squares;
+  for (std::size_t i = 0; i < samples.size(); i += step) {
+    index.nearest(samples.before[i], 2, two, squares);
+    if (!(squares.back() < near * near)) continue;
+    ++neighbours;
+    strangers += common::length(samples.after[two.front()] - samples.after[two.back()]) > far ? 1 : 0;
+  }
+  if (neighbours < least_tried || 2 * strangers <= neighbours) return;
+  throw Error(Element::file, 0,
+              fmt::format("{}: its points have another order than those of the sampling: {} of {} that were neighbours "
+                          "lie far apart; export it with the property \"index\" of the sampling, or without sorting",
+                          file, strangers, neighbours));
+}
+
+void turn_normals(Samples& samples, const SampleIndex& index, const common::Workers& workers) {
   workers.each(samples.size(), 1024, [&](std::size_t begin, std::size_t end) {
     std::vector<std::uint32_t> neighbours;
     std::vector<float> squares;
@@ -170,7 +201,10 @@ Sampling read_sampling(const std::filesystem::path& from, const std::filesystem:
   for (std::size_t i = 0; i < count; ++i)
     samples.normals.push_back(common::unit(common::vector_at(std::span<const float>(normals), i)));
   samples.normals_after = samples.normals;
-  if (sampling.is_deformed) turn_normals(samples, workers);
+  if (!sampling.is_deformed) return sampling;
+  const SampleIndex index(samples.before);
+  if (channel_index(after.schema, "index") == none) require_same_order(samples, index, to.string());
+  turn_normals(samples, index, workers);
   return sampling;
 }
 

@@ -3,150 +3,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "glark/clients/common/workers.h"
 #include "glark/clients/stream/files/checkpoints.h"
 #include "glark/clients/stream/files/names.h"
 #include "glark/clients/stream/files/require_other_file.h"
 #include "glark/clients/stream/format/layouts.h"
-#include "glark/clients/stream/space/spatial_order.h"
-#include "glark/clients/stream/transfer/deformation.h"
-#include "glark/clients/stream/transfer/near_samples.h"
 #include "glark/clients/stream/transfer/output_layout.h"
+#include "glark/clients/stream/transfer/record_editor.h"
 #include "glark/clients/stream/transfer/sampling.h"
 #include "glark/clients/stream/write/writers.h"
 
 namespace glark::stream {
 namespace {
 
-using common::Vector3f;
-
-constexpr std::size_t batch_size = 1 << 17, piece = 1 << 14;  // records
-
 void check(const TransferOptions& options) {
   if (options.neighbours < 3 || options.neighbours > 64)
     throw Error(Element::option, 0,
                 fmt::format("glark-stream: neighbours is {}; 3 to 64 are possible", options.neighbours));
 }
-
-// Copies records to records that may be larger.
-void copy_records(std::span<const char> from, std::size_t size, std::size_t size_out, char* to) {
-  for (std::size_t at = 0; at < from.size(); at += size, to += size_out) std::copy_n(&from[at], size, to);
-}
-
-class Transfer {
- public:
-  Transfer(const Sampling& sampling, const SampleIndex& index, const OutputLayout& out, const TransferOptions& options,
-           std::string file)
-      : sampling_(sampling), index_(index), out_(out), options_(options), file_(std::move(file)) {}
-
-  // Writes the edited points of some records, which are copies of those of the input.
-  void apply(const Points& points, std::span<char> records) const {
-    EditedPoints edited(points, sampling_, out_.channels().size());
-    const std::vector<std::uint32_t> order = spatial_order(edited.local);
-    NearSamples near(index_, sampling_.samples, options_.neighbours, sampling_.channels.size());
-    for (std::size_t begin = 0; begin < order.size();) {
-      const std::size_t end = gather(edited.local, order, begin, near);
-      for (; begin < end; ++begin)
-        if (is_finite(edited.local[order[begin]])) edit(order[begin], near, edited);
-    }
-    const Layout& layout = out_.layout();
-    if (sampling_.is_deformed) encode(layout, file_, points.first, edited.positions, edited.normals, records);
-    write_channels(edited.values, records);
-  }
-
- private:
-  struct EditedPoints {
-    std::vector<double> positions;
-    std::vector<float> normals;
-    std::vector<EditedValue> values;  // [channels * points]
-    std::vector<Vector3f> local;      // the positions before, relative to the origin of the sampling
-
-    EditedPoints(const Points& points, const Sampling& sampling, std::size_t channels)
-        : positions(points.positions.begin(), points.positions.end()),
-          normals(points.normals.begin(), points.normals.end()),
-          values(channels * points.size()),
-          local(points.size()) {
-      for (std::size_t i = 0; i < local.size(); ++i)
-        for (std::size_t k = 0; k < 3; ++k) local[i][k] = static_cast<float>(positions[3 * i + k] - sampling.origin[k]);
-    }
-  };
-
-  static bool is_finite(const Vector3f& p) { return std::isfinite(p.x + p.y + p.z); }
-
-  // Gathers the samples around the next points that lie within the reach of the last search. Returns their end.
-  static std::size_t gather(std::span<const Vector3f> points, const std::vector<std::uint32_t>& order,
-                            std::size_t begin, NearSamples& near) {
-    Vector3f low = points[order[begin]], high = low;
-    if (!is_finite(low)) return begin + 1;
-    const float most = 4 * near.reach() * near.reach();
-    std::size_t end = begin + 1;
-    for (; end < order.size(); ++end) {
-      const Vector3f wider_low = common::least(low, points[order[end]]);
-      const Vector3f wider_high = common::greatest(high, points[order[end]]);
-      if (!(common::squared_distance(wider_low, wider_high) <= most)) break;
-      low = wider_low;
-      high = wider_high;
-    }
-    near.gather((low + high) * 0.5F);
-    return end;
-  }
-
-  void edit(std::size_t i, NearSamples& near, EditedPoints& points) const {
-    const Vector3f p = points.local[i];
-    const std::span<const Neighbour> neighbours = near.find(p, options_.singular);
-    interpolate(near.samples(), neighbours, points.values.data() + out_.channels().size() * i);
-    if (!sampling_.is_deformed || stay(near.samples(), neighbours)) return;
-    const bool has_normals = !points.normals.empty();
-    const Vector3f normal = has_normals ? common::vector_at(std::span<const float>(points.normals), i) : Vector3f{};
-    const Deformed moved = deform(near.samples(), p, normal, neighbours);
-    for (std::size_t k = 0; k < 3; ++k) {
-      points.positions[3 * i + k] += static_cast<double>(moved.position[k]) - static_cast<double>(p[k]);
-      if (has_normals) points.normals[3 * i + k] = moved.normal[k];
-    }
-  }
-
-  // Points whose neighbours did not move keep their coordinates to the bit.
-  static bool stay(const Samples& samples, std::span<const Neighbour> neighbours) {
-    return std::all_of(neighbours.begin(), neighbours.end(), [&](const Neighbour& near) {
-      return samples.before[near.index] == samples.after[near.index] &&
-             samples.normals[near.index] == samples.normals_after[near.index];
-    });
-  }
-
-  void interpolate(const Samples& samples, std::span<const Neighbour> near, EditedValue* values) const {
-    const std::size_t width = sampling_.channels.size();
-    for (const WrittenChannel& channel : out_.channels())
-      *values++ = edited_value(samples, near, width, channel.column);
-  }
-
-  // Writes the channels of the points that an edited sample is near to. The records have the values before.
-  void write_channels(const std::vector<EditedValue>& values, std::span<char> records) const {
-    const Layout& layout = out_.layout();
-    const std::size_t width = out_.channels().size();
-    if (layout.points_per_record != 1) return;
-    const Column column{layout.record_size, records.size() / layout.record_size, layout.swapped};
-    std::vector<double> mixed(column.count);
-    for (std::size_t k = 0; k < width; ++k) {
-      const WrittenChannel& channel = out_.channels()[k];
-      const auto is_kept = [&](std::size_t i) { return values[width * i + k].share == 0; };
-      std::size_t kept = 0;
-      for (std::size_t i = 0; i < column.count; ++i) kept += is_kept(i) ? 1 : 0;
-      if (kept == column.count) continue;
-      read_column(channel.field, column, records.data(), mixed.data(), 1);
-      for (std::size_t i = 0; i < column.count; ++i)
-        if (!is_kept(i)) mixed[i] = channel.scale * values[width * i + k].mixed_with(mixed[i] / channel.scale);
-      write_column(channel.field, column, records.data(), mixed.data(), 1);
-    }
-  }
-
-  const Sampling& sampling_;
-  const SampleIndex& index_;
-  const OutputLayout& out_;
-  const TransferOptions& options_;
-  const std::string file_;
-};
 
 // The output of a transfer, with the state that a later run continues from.
 class Output {
@@ -266,32 +141,27 @@ TransferReport transfer(const std::filesystem::path& large, const std::filesyste
   const Sampling sampling = read_sampling(from, to, workers);
   const SampleIndex index(sampling.samples.before);
   OutputLayout out(file, layout, format, sampling.channels);
-  const Transfer edit(sampling, index, out, options, output.string());
+  RecordEditor editor(sampling, index, layout, out, options, workers, output.string());
   WorkFolder folder(options.work, identity_of(before, from, to, options), options.resume);
   Checkpoints checkpoints(folder, layout.records);
   Output written(output, folder, out);
   checkpoints.begin(written.done());
   const std::size_t size = layout.record_size, size_out = out.layout().record_size;
-  std::vector<char> records(batch_size * size), edited(batch_size * size_out);
+  std::vector<char> records, edited;
   while (written.done() < layout.records) {
     const std::uint64_t done = written.done();
-    const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(batch_size, layout.records - done));
-    file.read(layout.begin + done * size, std::span(records).first(count * size));
-    workers.in_pieces(count, piece, [&](std::size_t begin, std::size_t end) {
-      copy_records(std::span(records).subspan(begin * size, (end - begin) * size), size, size_out,
-                   &edited[begin * size_out]);
-      PointArrays points;
-      decode(layout, &records[begin * size], end - begin, {.channels = false}, points);
-      edit.apply(points.points((done + begin) * layout.points_per_record),
-                 std::span(edited).subspan(begin * size_out, (end - begin) * size_out));
-    });
-    written.add(std::span(edited).first(count * size_out), count);
+    const auto count = static_cast<std::size_t>(std::min<std::uint64_t>(editor.batch_size(), layout.records - done));
+    records.resize(count * size);
+    edited.resize(count * size_out);
+    file.read(layout.begin + done * size, records);
+    editor.edit(done, records, edited);
+    written.add(edited, count);
     if (checkpoints.is_due(written.done())) written.save();
     if (options.progress) options.progress(static_cast<double>(written.done()) / static_cast<double>(layout.records));
   }
   file.require_unchanged(before);
   written.finish(file, layout.begin + layout.size(), out);
-  return {layout.points(), sampling.is_deformed, names_of(sampling.channels)};
+  return {layout.points(), sampling.is_deformed, names_of(sampling.channels), editor.points_away()};
 }
 
 }  // namespace glark::stream

@@ -14,7 +14,6 @@ namespace glark::vstree {
 namespace {
 
 constexpr std::uint32_t none = 0xFFFFFFFF;
-constexpr std::size_t grain = 4096;
 constexpr std::size_t run_length = 1 << 13;
 constexpr float smooth = 0.1F;           // the greatest weight of an edge that connects two large parts
 constexpr std::uint32_t few = 30;        // samples of a part that is not large

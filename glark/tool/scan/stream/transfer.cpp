@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // glark transfer LARGE --from SMALL --to EDITED -o OUT: the edit of a sampling, on the scan that it was taken from.
+#include <fmt/format.h>
 #include <glark/stream.h>
 
 #include <memory>
@@ -27,8 +28,12 @@ void transfer(const Transfer& command) {
   options.work = work_folder(command.output);
   const stream::TransferReport report =
       stream::transfer(command.input, command.from, command.to, command.output, options);
+  if (report.points_away > report.points / 2)
+    warn(fmt::format("{} of the {} points of {} lie away from all samples of {}; is it a sampling of this scan?",
+                     report.points_away, report.points, command.input, command.from));
   Report printed;
   printed["points"] = report.points;
+  printed["points_away"] = report.points_away;
   printed["deformed"] = report.is_deformed;
   printed["channels"] = report.channels;
   printed["seconds"] = progress.seconds();
