@@ -12,6 +12,7 @@
 #include "glark/core/plan/depths/depth_choice.h"
 #include "glark/core/plan/derived_key.h"
 #include "glark/core/plan/draw_notes.h"
+#include "glark/core/plan/facets.h"
 #include "glark/core/plan/inputs/instanced_inputs.h"
 #include "glark/core/plan/program_choice.h"
 #include "glark/core/plan/refinement_choice.h"
@@ -57,8 +58,7 @@ RefinementChoice refinement_choice(const Environment& environment, const Program
   facts.inputs.can_curve |= program.fixed_function && displaces(environment.options, environment.ark);
   facts.inputs.can_curve |= normal != own_normal;
   facts.made_normal = normal == made_normal;
-  facts.flat_shaded = environment.options.smooth && !environment.ark.enabled && program.fixed_function &&
-                      program.input_traits.can_curve && environment.bindings().shade_model == GL_FLAT;
+  facts.flat_shaded = shows_facets(environment, program);
   return choose_refinement(facts);
 }
 

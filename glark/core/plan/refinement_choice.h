@@ -28,7 +28,7 @@ struct RefinementFacts {
   const refine::StageVariation& variation;  // of the stage, with the arrays that are enabled
   refine::VertexInputTraits inputs = {};
   bool made_normal = false;  // the normal is made from positions, so it does not tell that the mesh is a surface
-  bool flat_shaded = false;  // `smooth`, and the draw is lit under GL_FLAT
+  bool flat_shaded = false;  // `smooth`, and shows_facets()
 };
 
 struct RefinementChoice {

@@ -61,6 +61,19 @@ void note_data_flow(const std::vector<VertexUnit>& units, const std::vector<Pars
   traits.variation = find_variation(trees, constants).value_or(too_large);
 }
 
+// Notes which outputs are interpolated. An array or a structure that is one output has values for its parts.
+void note_interpolation(const std::vector<OutputVariable>& outputs, const std::vector<Structure>& structures,
+                        StageVariation& variation) {
+  for (const OutputVariable& output : outputs) {
+    const Interpolation interpolation = is_flat(output, structures) ? Interpolation::never
+                                        : output.by_shade_model     ? Interpolation::unless_flat_shaded
+                                                                    : Interpolation::always;
+    const std::string path = without_indices(output.path);
+    for (OutputVariation& part : variation.outputs)
+      if (part.path == path || part.path.starts_with(path + ".")) part.interpolation = interpolation;
+  }
+}
+
 Inspection inspect(const std::vector<std::string>& sources, bool es, const std::vector<std::string>& extensions,
                    const std::set<std::string>& constants) {
   Inspection result;
@@ -88,6 +101,7 @@ Inspection inspect(const std::vector<std::string>& sources, bool es, const std::
   }
   note_data_flow(units, all_parsed, constants, result.traits);
   const std::vector<OutputVariable> outputs = collect_outputs(units, main_unit, {});
+  note_interpolation(outputs, structures, result.traits.variation);
   result.traits.writes_cull_distance = std::any_of(
       outputs.begin(), outputs.end(), [](const OutputVariable& output) { return output.path == "gl_CullDistance"; });
   result.traits.writes_integers = std::any_of(outputs.begin(), outputs.end(), [](const OutputVariable& output) {

@@ -14,7 +14,7 @@ enum class RefinementFallback {
   unsound_stage,   // the position jumps between vertices, or has no meaning there
   bent_unknowing,  // the position is not affine in the attributes, and no normal is known
   no_normal,       // a curved refinement, but no position or no normal is known
-  flat_shading,    // lit under GL_FLAT: a normal is that of the triangle that it ends
+  flat_shading,    // shows_facets()
 };
 inline constexpr unsigned refinement_fallback_count = static_cast<unsigned>(RefinementFallback::flat_shading) + 1;
 

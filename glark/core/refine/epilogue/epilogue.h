@@ -33,6 +33,7 @@ struct OutputVariable {
   std::string type;
   std::vector<std::string> sizes;  // array sizes, none open
   bool flat = false;
+  bool by_shade_model = false;  // flat under glShadeModel(GL_FLAT)
   bool noperspective = false;
   int indexed_words = 0;  // size of an array whose indices are not all constants
   bool clamped = false;   // to 0 .. 1
@@ -117,6 +118,8 @@ std::string displace(const EpiloguePlan& plan, TypeSet& mixed_types);
 std::vector<OutputVariable> collect_outputs(const std::vector<VertexUnit>& units, std::size_t main_unit,
                                             const OutputRules& rules);
 bool is_flat(const OutputVariable& output, const std::vector<Structure>& structures);
+// "blocks[1].color" -> "blocks.color"
+std::string without_indices(std::string path);
 // Functions "@save<slot>_<unit>", "@finish_<unit>" and "@finish_screen_<unit>" of one unit, with the variables that
 // they need.
 std::string output_functions(const EpiloguePlan& plan, std::size_t unit, TypeSet& mixed_types);

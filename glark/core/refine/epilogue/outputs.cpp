@@ -62,13 +62,6 @@ int implied_size(const std::vector<VertexUnit>& units, std::string_view name) {
   return size;
 }
 
-// "blocks[1].color" -> "blocks.color"
-std::string without_indices(std::string path) {
-  const std::size_t begin = path.find('[');
-  if (begin != std::string::npos) path.erase(begin, path.find(']') - begin + 1);
-  return path;
-}
-
 class Collector {
  public:
   Collector(const std::vector<VertexUnit>& units, const OutputRules& rules) : units_(units), rules_(rules) {
@@ -135,8 +128,8 @@ class Collector {
     output.unsound = is_unsound(without_indices(output.path));
     const BuiltInOutput* const built_in = built_in_output(variable.name);
     if (built_in != nullptr && built_in->color) {
-      const bool by_shade_model = rules_.flat_colors && !variable.smooth && !variable.noperspective;
-      output.flat = output.flat || by_shade_model;
+      output.by_shade_model = !variable.smooth && !variable.noperspective;
+      output.flat = output.flat || (output.by_shade_model && rules_.flat_colors);
       output.clamped = rules_.clamp_colors;
     }
     for (std::string& size : output.sizes) {
@@ -296,6 +289,12 @@ std::string declaration(const OutputVariable& output, const std::string& name) {
 std::vector<OutputVariable> collect_outputs(const std::vector<VertexUnit>& units, std::size_t main_unit,
                                             const OutputRules& rules) {
   return Collector(units, rules).collect(main_unit);
+}
+
+std::string without_indices(std::string path) {
+  const std::size_t begin = path.find('[');
+  if (begin != std::string::npos) path.erase(begin, path.find(']') - begin + 1);
+  return path;
 }
 
 bool is_flat(const OutputVariable& output, const std::vector<Structure>& structures) {

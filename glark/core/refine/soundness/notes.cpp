@@ -28,6 +28,13 @@ Value Notes::worsened(Value value, Variation variation, const Place& place, std:
   return value;
 }
 
+std::set<std::string> Notes::inputs_of(const Value& value) const {
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < inputs_.size(); ++i)
+    if ((value.inputs >> std::min(i, last_bit) & 1U) != 0) names.insert(inputs_[i]);
+  return names;
+}
+
 std::string Notes::explain(const Value& value) const {
   if (value.reason < 0) return {};
   const Reason& reason = reasons_[static_cast<std::size_t>(value.reason)];

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstddef>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,6 +28,8 @@ class Notes {
   std::uint64_t input(const std::string& name);
   // `value`, if it varies at all, made at least as bad as `variation`. The reason is "CONSTRUCT of INPUTS" at `place`.
   Value worsened(Value value, Variation variation, const Place& place, std::string_view construct);
+  // The inputs that a value depends on.
+  std::set<std::string> inputs_of(const Value& value) const;
   // "line 12: floor() of 'vertexId'"; empty if the value has no reason.
   std::string explain(const Value& value) const;
 

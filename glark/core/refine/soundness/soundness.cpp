@@ -14,7 +14,8 @@ std::optional<StageVariation> find_variation(const std::vector<const SyntaxTree*
   StageVariation variation;
   Run& run = executor.state();
   for (const auto& [path, value] : run.memory.outputs()) {
-    if (value.varies()) variation.outputs.push_back({path, value.variation, run.notes.explain(value)});
+    if (value.varies())
+      variation.outputs.push_back({path, value.variation, run.notes.explain(value), run.notes.inputs_of(value)});
   }
   return variation;
 }

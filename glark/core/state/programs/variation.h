@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,10 +21,15 @@ enum class Variation {
   undefined,   // has no meaning between vertices: floor, integers, texel fetches
 };
 
+// Where an output is interpolated over a triangle. Otherwise one corner gives its value.
+enum class Interpolation { always, unless_flat_shaded, never };
+
 struct OutputVariation {
   std::string path;  // "color", "block.color", "gl_Position"; elements of an array are taken together
   Variation variation = Variation::constant;
-  std::string reason;  // "line 12: floor() of 'vertexId'"; empty unless it is switched or undefined
+  std::string reason;                 // "line 12: floor() of 'vertexId'"; empty unless it is switched or undefined
+  std::set<std::string> inputs = {};  // the attributes that it depends on
+  Interpolation interpolation = Interpolation::always;
 };
 
 // All outputs of a vertex stage. An output that is not listed is constant.

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 //
 // The analysis follows values through every construct of GLSL.
+#include <algorithm>
+#include <set>
+
 #include "tests/core/refine/soundness/soundness_harness.h"
 
 namespace glark::refine {
@@ -156,6 +159,29 @@ TEST(DataFlow, OutputsAreApart) {
   EXPECT_EQ(output_of(blocks, "o.id"), Variation::undefined);
   EXPECT_EQ(output_of(blocks, "plain"), Variation::affine);
   EXPECT_EQ(output_of(blocks, "gl_Position"), Variation::affine);
+}
+
+TEST(DataFlow, TheInputsAndTheInterpolationOfOutputsAreKnown) {
+  const StageVariation stage_variation = variation_of(
+      {stage("o.uv = p.xy; o.id = f; plain = f; s[1].a = p; s[0].a = p; gl_Position = p + f;",
+             "struct S { vec4 a; }; out O { vec2 uv; flat float id; } o; out float plain; flat out S s[2];")});
+  const auto expect = [&](const char* path, Interpolation interpolation, const std::set<std::string>& inputs) {
+    const OutputVariation* const output = stage_variation.find(path);
+    ASSERT_NE(output, nullptr) << path;
+    EXPECT_EQ(output->interpolation, interpolation) << path;
+    EXPECT_EQ(output->inputs, inputs) << path;
+  };
+  expect("o.uv", Interpolation::always, {"p"});
+  expect("o.id", Interpolation::never, {"f"});
+  expect("plain", Interpolation::always, {"f"});
+  expect("gl_Position", Interpolation::always, {"p", "f"});
+  EXPECT_TRUE(
+      std::any_of(stage_variation.outputs.begin(), stage_variation.outputs.end(), [](const OutputVariation& output) {
+        return output.path.starts_with("s") && output.interpolation == Interpolation::never;
+      }));
+  const StageVariation colors =
+      variation_of({"void main() { gl_FrontColor = gl_Normal.xyzz; gl_Position = gl_Vertex; }"});
+  EXPECT_EQ(colors.find("gl_FrontColor")->interpolation, Interpolation::unless_flat_shaded);
 }
 
 TEST(DataFlow, RedeclaredAndLaterPositionsAreFound) {
