@@ -47,6 +47,15 @@ struct CoarseMesh {
   std::span<const std::uint32_t> triangles = {};  // [3 * triangles], counter-clockwise from outside
 };
 
+// A picture of colours, as they are shown. The caller owns the pixels.
+struct Picture {
+  unsigned width = 0, height = 0;
+  std::span<const std::uint8_t> pixels =
+      {};  // [3 * width * height], red green blue; the first row is the upper one, at t = 1
+};
+
+inline constexpr std::uint32_t no_picture = 0xFFFFFFFF;
+
 // A fine mesh. The caller owns the arrays, which must live as long as sources of it.
 struct FineMesh {
   std::array<double, 3> origin{};                 // added to all positions
@@ -54,10 +63,15 @@ struct FineMesh {
   std::span<const float> normals = {};            // [3 * vertices], or empty: those of the triangles
   std::span<const std::uint8_t> colours = {};     // [3 * vertices], red green blue; or empty
   std::span<const std::uint32_t> triangles = {};  // [3 * triangles]
+  // The colours of triangles instead of the vertices': the picture of each triangle, or no_picture, which repeats beyond
+  // 0 to 1, and where the vertices are in it. No pictures: empty.
+  std::span<const Picture> pictures = {};
+  std::span<const std::uint32_t> triangle_pictures = {};  // [triangles]
+  std::span<const float> texcoords = {};                  // [2 * vertices], or empty: 0; the lower left pixel is at 0 0
 };
 
 // Samples the triangles of a mesh evenly: at each triangle's corners, and so densely that neighbours on a triangle are
-// at most `spacing` apart. Errors: Error for a spacing that is not above zero, for arrays that do not fit together.
+// at most `spacing` apart, and that there are as many samples as the triangle has pixels. Errors: Error for a spacing that is not above zero, for arrays that do not fit together.
 GLARK_EXPORT stream::Source mesh_source(const FineMesh& mesh, double spacing);
 
 struct BakeOptions {

@@ -113,6 +113,54 @@ TEST(Bake, SeamsAgree) {
   }
 }
 
+// The colour of a picture is finer than the triangles: a wave of one hundredth of the sphere's diameter.
+TEST(Bake, PicturesOfAMeshGiveItsColours) {
+  constexpr unsigned side = 1024;
+  std::vector<std::uint8_t> pixels;
+  const auto shade = [](double s, double t) {
+    return std::array<double, 3>{s, t, 0.5 + 0.5 * std::sin(100 * std::numbers::pi * s)};
+  };
+  for (unsigned row = 0; row < side; ++row)
+    for (unsigned column = 0; column < side; ++column)
+      for (const double value : shade((column + 0.5) / side, 1 - (row + 0.5) / side))
+        pixels.push_back(static_cast<std::uint8_t>(255 * value + 0.5));
+  const Sphere sphere = sphere_of(3, false);
+  std::vector<float> texcoords;  // those of the projection along z, in the middle of the picture
+  for (std::size_t i = 0; i < sphere.positions.size(); i += 3)
+    texcoords.insert(texcoords.end(), {0.5F + 0.4F * sphere.positions[i], 0.5F + 0.4F * sphere.positions[i + 1]});
+  const Picture picture{side, side, pixels};
+  std::vector<std::uint32_t> pictures(sphere.triangles.size() / 3, 0);
+  pictures[0] = no_picture;
+  const Baked model = bake(sphere.coarse(), mesh_source({.positions = sphere.positions,
+                                                         .normals = sphere.normals,
+                                                         .triangles = sphere.triangles,
+                                                         .pictures = {&picture, 1},
+                                                         .triangle_pictures = pictures,
+                                                         .texcoords = texcoords},
+                                                        0.1));
+  const SeenModel seen_model(model);
+  std::array<double, 3> squares{};
+  std::size_t places = 0;
+  for (std::size_t t = 1; t < model.triangles.size() / 3; ++t) {
+    const Seen seen = seen_model.at(t, {1 / 3.0, 1 / 3.0, 1 / 3.0});
+    double z = 0, s = 0, v = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t corner = 3 * std::size_t{sphere.triangles[3 * t + k]};
+      s += (0.5 + 0.4 * static_cast<double>(sphere.positions[corner])) / 3;
+      v += (0.5 + 0.4 * static_cast<double>(sphere.positions[corner + 1])) / 3;
+      z += static_cast<double>(sphere.positions[corner + 2]) / 3;
+    }
+    if (std::abs(z) < 0.3) continue;  // there the picture is seen from the side
+    for (std::size_t k = 0; k < 3; ++k) squares.at(k) += std::pow(seen.colour[k] - shade(s, v).at(k), 2);
+    ++places;
+  }
+  ASSERT_GT(places, 500U);
+  const auto mean = [&](std::size_t channel) { return std::sqrt(squares.at(channel) / static_cast<double>(places)); };
+  EXPECT_LT(mean(0), 0.01);
+  EXPECT_LT(mean(1), 0.01);
+  EXPECT_LT(mean(2), 0.1);
+}
+
 TEST(Bake, ResultDoesNotDependOnThreads) {
   const Baked one = bake_bumps({.threads = 1});
   const Baked two = bake_bumps({.threads = 2});

@@ -19,6 +19,14 @@ class Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// The colours of a surface, as they are shown.
+struct Image {
+  unsigned width = 0, height = 0;
+  std::vector<std::uint8_t> pixels;  // red, green, blue: 3 per pixel; the first row is the upper one, at t = 1
+};
+
+inline constexpr std::uint32_t no_image = 0xFFFFFFFF;
+
 struct Geometry {
   // Georeferenced coordinates have more digits than a float. So a position is `origin` plus three floats. The origin is
   // zero if floats suffice.
@@ -28,6 +36,9 @@ struct Geometry {
   std::vector<std::uint8_t> colours;       // red, green, blue, alpha: 4 per point, or empty
   std::vector<float> texture_coordinates;  // 2 per point, or empty
   std::vector<std::uint32_t> triangles;    // 3 indices per triangle, or empty
+  // Pictures of materials, if ReadOptions asks for them, and the one of each triangle, or no_image. Both may be empty.
+  std::vector<Image> images;
+  std::vector<std::uint32_t> triangle_images;
   // Triangle strips, one after the other, and their lengths. A PLY file gets the strips instead of the triangles.
   std::vector<std::uint32_t> strips;
   std::vector<std::uint32_t> strip_sizes;
@@ -51,6 +62,7 @@ struct ReadOptions {
   bool skip_invalid = false;
   // The format by its ending, ".ply" for example; empty: that of the file's name.
   std::string format = {};
+  bool images = false;  // reads the pictures of materials, too
   // Receives what summarise_file() reads; null: nobody does.
   Visitor* visitor = nullptr;
 };

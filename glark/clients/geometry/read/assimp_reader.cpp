@@ -20,6 +20,7 @@
 #include "glark/clients/geometry/measure/distance.h"
 #include "glark/clients/geometry/measure/topology.h"
 #include "glark/clients/geometry/read/gltf_check.h"
+#include "glark/clients/geometry/read/material_images.h"
 #include "glark/clients/geometry/read/point_builder.h"
 #include "glark/clients/geometry/srgb.h"
 
@@ -99,10 +100,35 @@ class Scene {
       }
       first += mesh.mNumVertices;
     }
-    return builder.finish();
+    Reading reading = builder.finish();
+    if (options_.images) add_images(reading);
+    return reading;
   }
 
  private:
+  // A triangle has the image of the mesh that its points come from.
+  void add_images(Reading& reading) const {
+    MaterialImages materials = read_material_images(scene_, std::filesystem::path(name_).parent_path());
+    for (std::string& warning : materials.warnings) reading.warnings.push_back(std::move(warning));
+    // Colours of vertices are finer than those of materials.
+    if (materials.images.empty() || (!materials.has_pictures && !reading.geometry.colours.empty())) return;
+    std::vector<std::uint32_t> ends;  // of the points of each mesh
+    std::uint32_t end = 0;
+    for (unsigned i = 0; i < scene_.mNumMeshes; ++i) {
+      const aiMesh& mesh = *scene_.mMeshes[i];
+      end += static_cast<std::uint32_t>(std::count_if(
+          mesh.mVertices, mesh.mVertices + mesh.mNumVertices,
+          [](const aiVector3D& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }));
+      ends.push_back(end);
+    }
+    Geometry& geometry = reading.geometry;
+    geometry.images = std::move(materials.images);
+    for (std::size_t i = 0; i < geometry.triangles.size(); i += 3) {
+      const auto mesh = std::upper_bound(ends.begin(), ends.end(), geometry.triangles[i]) - ends.begin();
+      geometry.triangle_images.push_back(materials.of_mesh[static_cast<std::size_t>(mesh)]);
+    }
+  }
+
   Attributes attributes() const {
     Attributes attributes;
     for (unsigned i = 0; i < scene_.mNumMeshes; ++i) {
@@ -135,10 +161,14 @@ class Scene {
   const ReadOptions& options_;
 };
 
-// Returns whether Assimp can open the file itself, and with it the files that it names.
-bool is_plain_gltf(const std::string& name, std::span<const char> bytes) {
+// Returns whether Assimp has to open the file itself, and with it the files that it names.
+bool names_files(const std::string& name, MeshFormat format, std::span<const char> bytes, const ReadOptions& options) {
   std::error_code error;
-  return !bytes.empty() && bytes[0] == '{' && std::filesystem::is_regular_file(name, error);
+  std::string ending = std::filesystem::path(name).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  const bool may_name = format == MeshFormat::obj ? options.images && ending == ".obj"
+                                                  : format == MeshFormat::gltf && !bytes.empty() && bytes[0] == '{';
+  return may_name && ending != ".zst" && std::filesystem::is_regular_file(name, error);
 }
 
 struct Importing {
@@ -175,7 +205,7 @@ Reading read_by_assimp(Input& input, MeshFormat format, const ReadOptions& optio
   if (format == MeshFormat::stl) warning = check_stl(input.name(), bytes);
   const auto [kind, hint, steps] = importing(format, bytes);
   Assimp::Importer importer;
-  const aiScene* scene = format == MeshFormat::gltf && is_plain_gltf(input.name(), bytes)
+  const aiScene* scene = names_files(input.name(), format, bytes, options)
                              ? importer.ReadFile(input.name(), steps)
                              : importer.ReadFileFromMemory(bytes.data(), bytes.size(), steps, hint);
   if (scene == nullptr)

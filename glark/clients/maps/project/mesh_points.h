@@ -12,7 +12,8 @@
 
 namespace glark::maps {
 
-// A reader whose points are samples of a mesh. A triangle whose longest edge has n times the spacing gives n * n of them.
+// A reader whose points are samples of a mesh. A triangle whose longest edge has n times the spacing gives n * n of them,
+// or one for each pixel if these are more.
 class MeshPoints final : public stream::PointReader {
  public:
   MeshPoints(const FineMesh& mesh, double spacing, std::string name);
@@ -27,15 +28,22 @@ class MeshPoints final : public stream::PointReader {
  private:
   void add_vertex_normals();
   void add_point(std::uint64_t index);
-  void add_mean(const std::array<std::uint32_t, 3>& corners, const std::array<double, 3>& weights);
+  // Parts of an edge, so that a triangle has at least as many samples as pixels.
+  double parts_for_pixels(std::size_t triangle) const;
+  const Picture* picture_of(std::size_t triangle) const;
+  std::array<double, 3> colour(std::size_t triangle, const std::array<std::uint32_t, 3>& corners,
+                               const std::array<double, 3>& weights) const;
+  void add_mean(std::size_t triangle, const std::array<std::uint32_t, 3>& corners,
+                const std::array<double, 3>& weights);
 
   FineMesh mesh_;
   std::string name_;
   stream::Schema schema_;
   std::uint64_t vertices_ = 0, next_ = 0;
-  std::vector<std::uint16_t> parts_;  // of the longest edge of each triangle
-  std::vector<std::uint64_t> first_;  // the first point of each triangle, and the end
-  std::vector<float> normals_;        // of the vertices
+  std::vector<std::uint16_t> parts_;        // of the longest edge of each triangle
+  std::vector<std::uint64_t> first_;        // the first point of each triangle, and the end
+  std::vector<float> normals_;              // of the vertices
+  std::vector<std::uint32_t> triangle_of_;  // one of the triangles of each vertex, for its colour; only with pictures
   std::vector<double> positions_, channels_;
   std::vector<float> out_normals_;
 };

@@ -16,6 +16,48 @@ namespace {
 
 using Precise = common::Vector3d;
 
+void require_pictures(const FineMesh& mesh, std::size_t vertices) {
+  if (mesh.pictures.empty() && mesh.triangle_pictures.empty()) return;
+  if (mesh.triangle_pictures.size() != mesh.triangles.size() / 3 ||
+      (!mesh.texcoords.empty() && mesh.texcoords.size() != 2 * vertices))
+    throw Error(
+        Element::array, 0,
+        fmt::format("the fine mesh has {} numbers of pictures and {} texture coordinates; give one for each of its "
+                    "{} triangles, and two for each of its {} vertices",
+                    mesh.triangle_pictures.size(), mesh.texcoords.size(), mesh.triangles.size() / 3, vertices));
+  for (std::size_t i = 0; i < mesh.pictures.size(); ++i)
+    if (mesh.pictures[i].pixels.empty() ||
+        mesh.pictures[i].pixels.size() != 3 * std::size_t{mesh.pictures[i].width} * mesh.pictures[i].height)
+      throw Error(Element::array, i,
+                  fmt::format("picture {} of the fine mesh has {} times {} pixels and {} numbers; give three for each",
+                              i, mesh.pictures[i].width, mesh.pictures[i].height, mesh.pictures[i].pixels.size()));
+  for (std::size_t t = 0; t < mesh.triangle_pictures.size(); ++t)
+    if (mesh.triangle_pictures[t] != no_picture && mesh.triangle_pictures[t] >= mesh.pictures.size())
+      throw Error(Element::triangle, t,
+                  fmt::format("of the fine mesh has the picture {}, but there are {}", mesh.triangle_pictures[t],
+                              mesh.pictures.size()));
+}
+
+// The colour of a picture at a texture coordinate, by bilinear filtering.
+std::array<double, 3> colour_at(const Picture& picture, double s, double t) {
+  const auto along = [](double coordinate, unsigned size, std::array<std::size_t, 2>& pixels) {
+    const double at = std::isfinite(coordinate) ? (coordinate - std::floor(coordinate)) * size - 0.5 : 0;
+    const double first = std::floor(at);
+    const auto pixel = static_cast<std::int64_t>(first);
+    pixels = {static_cast<std::size_t>((pixel + size) % size), static_cast<std::size_t>((pixel + 1) % size)};
+    return at - first;
+  };
+  std::array<std::size_t, 2> columns{}, rows{};
+  const double x = along(s, picture.width, columns), y = along(1 - t, picture.height, rows);
+  std::array<double, 3> colour{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double weight = (i % 2 == 0 ? 1 - x : x) * (i / 2 == 0 ? 1 - y : y);
+    const std::size_t pixel = 3 * (rows[i / 2] * picture.width + columns[i % 2]);
+    for (std::size_t k = 0; k < 3; ++k) colour[k] += weight * picture.pixels[pixel + k];
+  }
+  return colour;
+}
+
 void require(const FineMesh& mesh, double spacing) {
   if (!(spacing > 0))
     throw Error(Element::option, 0, fmt::format("spacing is {}; a length above zero is possible", spacing));
@@ -27,6 +69,7 @@ void require(const FineMesh& mesh, double spacing) {
                 fmt::format("the fine mesh has {} coordinates, {} of normals, {} of colours and {} indices; give three "
                             "for each vertex and triangle",
                             mesh.positions.size(), mesh.normals.size(), mesh.colours.size(), mesh.triangles.size()));
+  require_pictures(mesh, vertices);
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
     if (mesh.triangles[i] >= vertices)
       throw Error(Element::triangle, i / 3,
@@ -44,7 +87,7 @@ MeshPoints::MeshPoints(const FineMesh& mesh, double spacing, std::string name)
     : mesh_(mesh), name_(std::move(name)), vertices_(mesh.positions.size() / 3) {
   schema_.position = stream::Number::float64;
   schema_.normals = !mesh.normals.empty() || !mesh.triangles.empty();
-  if (!mesh.colours.empty())
+  if (!mesh.colours.empty() || !mesh.pictures.empty())
     for (const char* colour : {"red", "green", "blue"}) schema_.channels.push_back({colour, stream::Number::uint8});
   first_.push_back(vertices_);
   constexpr double most_parts = 4096;  // of an edge
@@ -53,11 +96,54 @@ MeshPoints::MeshPoints(const FineMesh& mesh, double spacing, std::string name)
     for (std::size_t k = 0; k < 3; ++k)
       longest = std::max(longest, common::length(vector_at(mesh.positions, mesh.triangles[3 * t + (k + 1) % 3]) -
                                                  vector_at(mesh.positions, mesh.triangles[3 * t + k])));
-    const double parts = std::isfinite(longest) ? std::clamp(std::ceil(longest / spacing), 1.0, most_parts) : 1;
+    const double wanted = std::max(std::ceil(longest / spacing), parts_for_pixels(t));
+    const double parts = std::isfinite(longest) ? std::clamp(wanted, 1.0, most_parts) : 1;
     parts_.push_back(static_cast<std::uint16_t>(parts));
     first_.push_back(first_.back() + std::uint64_t{parts_.back()} * parts_.back());
   }
   add_vertex_normals();
+  if (mesh.pictures.empty()) return;
+  triangle_of_.resize(vertices_, no_picture);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i)
+    triangle_of_[mesh.triangles[i]] = static_cast<std::uint32_t>(i / 3);
+}
+
+const Picture* MeshPoints::picture_of(std::size_t triangle) const {
+  if (triangle >= mesh_.triangle_pictures.size() || mesh_.triangle_pictures[triangle] == no_picture) return nullptr;
+  return &mesh_.pictures[mesh_.triangle_pictures[triangle]];
+}
+
+double MeshPoints::parts_for_pixels(std::size_t triangle) const {
+  const Picture* const picture = picture_of(triangle);
+  if (picture == nullptr || mesh_.texcoords.empty()) return 1;
+  const auto corner = [&](std::size_t k) {
+    const std::size_t at = 2 * std::size_t{mesh_.triangles[3 * triangle + k]};
+    return std::array<double, 2>{static_cast<double>(mesh_.texcoords[at]) * picture->width,
+                                 static_cast<double>(mesh_.texcoords[at + 1]) * picture->height};
+  };
+  const std::array a = corner(0), b = corner(1), c = corner(2);
+  const double pixels = std::abs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
+  return std::isfinite(pixels) ? std::ceil(std::sqrt(pixels)) : 1;
+}
+
+// Of a triangle's picture, else of the vertices; white without both.
+std::array<double, 3> MeshPoints::colour(std::size_t triangle, const std::array<std::uint32_t, 3>& corners,
+                                         const std::array<double, 3>& weights) const {
+  std::array<double, 3> colour{};
+  if (const Picture* const picture = picture_of(triangle)) {
+    double s = 0, t = 0;
+    for (std::size_t k = 0; k < 3 && !mesh_.texcoords.empty(); ++k) {
+      s += weights[k] * static_cast<double>(mesh_.texcoords[2 * std::size_t{corners[k]}]);
+      t += weights[k] * static_cast<double>(mesh_.texcoords[2 * std::size_t{corners[k]} + 1]);
+    }
+    return colour_at(*picture, s, t);
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    for (std::size_t k = 0; k < 3; ++k)
+      colour[axis] +=
+          weights[k] *
+          (mesh_.colours.empty() ? 255 : static_cast<double>(mesh_.colours[3 * std::size_t{corners[k]} + axis]));
+  return colour;
 }
 
 // Vertices without a normal get the mean normal of their triangles.
@@ -104,7 +190,7 @@ stream::Points MeshPoints::read(std::size_t most) {
 void MeshPoints::add_point(std::uint64_t index) {
   if (index < vertices_) {
     const auto vertex = static_cast<std::uint32_t>(index);
-    add_mean({vertex, vertex, vertex}, {1, 0, 0});
+    add_mean(triangle_of_.empty() ? no_picture : triangle_of_[vertex], {vertex, vertex, vertex}, {1, 0, 0});
     return;
   }
   const auto above = std::upper_bound(first_.begin(), first_.end(), index);
@@ -120,11 +206,12 @@ void MeshPoints::add_point(std::uint64_t index) {
   const double third = place % 2 == 0 ? 1 / 3.0 : 2 / 3.0;
   const double second = (static_cast<double>(pair) + third) / parts;
   const double first = (static_cast<double>(row) + (place % 2 == 0 ? 2 / 3.0 : 1 / 3.0)) / parts - second;
-  add_mean({mesh_.triangles[3 * t], mesh_.triangles[3 * t + 1], mesh_.triangles[3 * t + 2]},
+  add_mean(t, {mesh_.triangles[3 * t], mesh_.triangles[3 * t + 1], mesh_.triangles[3 * t + 2]},
            {1 - first - second, first, second});
 }
 
-void MeshPoints::add_mean(const std::array<std::uint32_t, 3>& corners, const std::array<double, 3>& weights) {
+void MeshPoints::add_mean(std::size_t triangle, const std::array<std::uint32_t, 3>& corners,
+                          const std::array<double, 3>& weights) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     double position = mesh_.origin[axis];
     double normal = 0;
@@ -134,12 +221,10 @@ void MeshPoints::add_mean(const std::array<std::uint32_t, 3>& corners, const std
     }
     positions_.push_back(position);
     out_normals_.push_back(static_cast<float>(normal));
-    if (mesh_.colours.empty()) continue;
-    double colour = 0;
-    for (std::size_t k = 0; k < 3; ++k)
-      colour += weights[k] * static_cast<double>(mesh_.colours[3 * std::size_t{corners[k]} + axis]);
-    channels_.push_back(colour);
   }
+  if (schema_.channels.empty()) return;
+  const std::array<double, 3> shown = colour(triangle, corners, weights);
+  channels_.insert(channels_.end(), shown.begin(), shown.end());
 }
 
 stream::Source mesh_source(const FineMesh& mesh, double spacing) {

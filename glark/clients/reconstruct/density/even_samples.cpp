@@ -3,6 +3,7 @@
 #include "glark/clients/reconstruct/density/even_samples.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "glark/clients/reconstruct/density/all_outliers.h"
 
@@ -10,6 +11,8 @@ namespace glark::reconstruct {
 namespace {
 
 constexpr double filled_spacings = 1.3;
+// Where dense parts are tiny, a filling like them would not end. Then all cells become coarser.
+constexpr double most_filled = 8, least_room = 4e6;  // samples for each given one; samples
 
 }  // namespace
 
@@ -49,8 +52,11 @@ void EvenSamples::fill_sparse_parts(const Workers& workers) {
   for (const std::uint32_t i : outliers) is_used[i] = 0;
   std::erase_if(sparse, [&](std::uint32_t i) { return is_used[i] == 0; });
   const Neighbours neighbours(points, sorted_.cube, entries);
-  const Filling filling =
-      filling_around(sparse, neighbours, points, is_used, static_cast<float>(filled_spacings * spacing), workers);
+  auto filled_spacing = static_cast<float>(filled_spacings * spacing);
+  const double most = std::max(least_room, most_filled * static_cast<double>(entries.size()));
+  const double count = count_of_filling(sparse, neighbours, filled_spacing, workers);
+  if (count > most) filled_spacing *= static_cast<float>(std::sqrt(count / most));
+  const Filling filling = filling_around(sparse, neighbours, points, is_used, filled_spacing, workers);
   if (outliers.empty() && filling.points.empty()) return;
   change(outliers, filling, workers);
 }

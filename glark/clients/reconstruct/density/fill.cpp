@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace glark::reconstruct {
 namespace {
@@ -121,6 +122,25 @@ void Filling::append(const Filling& other) {
   points.insert(points.end(), other.points.begin(), other.points.end());
   normals.insert(normals.end(), other.normals.begin(), other.normals.end());
   colours.insert(colours.end(), other.colours.begin(), other.colours.end());
+}
+
+// A sample has the place of a disc with six neighbours, divided by six.
+double count_of_filling(std::span<const std::uint32_t> sparse, const Neighbours& neighbours, float spacing,
+                        const Workers& workers) {
+  constexpr std::size_t most_tried = 4096;
+  const std::size_t tried = std::min(most_tried, sparse.size());
+  std::vector<double> counts(tried);
+  workers.each(tried, grain, [&](std::size_t begin, std::size_t end) {
+    std::vector<Neighbours::Near> near;
+    for (std::size_t i = begin; i < end; ++i) {
+      neighbours.find(sparse[i * sparse.size() / tried], neighbours_each, near);
+      if (near.size() < ring) continue;
+      const double own = near[ring - 1].square / 2, widest = most_steps / 1.2 * static_cast<double>(spacing);
+      counts[i] = std::min(own, widest * widest) / static_cast<double>(spacing * spacing);
+    }
+  });
+  return std::accumulate(counts.begin(), counts.end(), 0.0) * static_cast<double>(sparse.size()) /
+         static_cast<double>(tried);
 }
 
 Filling filling_around(std::span<const std::uint32_t> sparse, const Neighbours& neighbours, const PointSet& points,

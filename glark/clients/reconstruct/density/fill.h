@@ -19,6 +19,10 @@ struct Filling {
   void append(const Filling& other);
 };
 
+// Returns about how many samples filling_around() adds.
+double count_of_filling(std::span<const std::uint32_t> sparse, const Neighbours& neighbours, float spacing,
+                        const Workers& workers);
+
 // Adds samples around the given ones, about `spacing` apart. is_used[entry] is 0 for samples without influence. Each
 // new sample is nearer to its given one than to all others that face the same way. New samples lie between given ones,
 // not beyond the boundary.

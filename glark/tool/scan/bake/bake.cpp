@@ -42,6 +42,7 @@ struct Bake {
 struct Fine {
   geometry::Geometry geometry;
   std::vector<std::uint8_t> colours;
+  std::vector<maps::Picture> pictures;
   stream::Source source;
 };
 
@@ -61,17 +62,24 @@ std::unique_ptr<Fine> read_fine(const Bake& command) {
     fine->source = stream::file_source(command.files.input, command.files.format);
     return fine;
   }
-  fine->geometry = load(command.files.input, command.files);
+  fine->geometry = load(command.files.input, command.files, true);
   const geometry::Geometry& geometry = fine->geometry;
   if (geometry.point_count() == 0) throw std::runtime_error(command.files.input + ": it has no points");
   warn_of_alpha(geometry.colours, command.files.input);
   fine->colours = rgb_of(geometry.colours);
+  for (const geometry::Image& image : geometry.images)
+    fine->pictures.push_back({image.width, image.height, image.pixels});
+  if (fine->pictures.empty() && fine->colours.empty() && !geometry.texture_coordinates.empty())
+    warn(command.files.input + ": it has texture coordinates, but no picture was read; the model has no colours");
   const double spacing = geometry.triangles.empty() ? 1 : spacing_of(geometry);
   fine->source = maps::mesh_source({.origin = geometry.origin,
                                     .positions = geometry.positions,
                                     .normals = geometry.normals,
                                     .colours = fine->colours,
-                                    .triangles = geometry.triangles},
+                                    .triangles = geometry.triangles,
+                                    .pictures = fine->pictures,
+                                    .triangle_pictures = geometry.triangle_images,
+                                    .texcoords = geometry.texture_coordinates},
                                    spacing > 0 ? spacing : 1);
   fine->source.name = command.files.input;
   return fine;

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// The pictures of materials.
+#include <string>
+
+#include "tests/geometry/temporary_file.h"
+
+namespace glark::geometry {
+namespace {
+
+using MaterialPictures = TemporaryFolder;
+
+// Red and green in the upper row, blue and white in the lower one.
+constexpr char png[] =
+    "\x89\x50\x4e\x47\x0d\x0a\x1a\x0a\x00\x00\x00\x0d\x49\x48\x44\x52\x00\x00\x00\x02\x00\x00\x00\x02\x08\x02"
+    "\x00\x00\x00\xfd\xd4\x9a\x73\x00\x00\x00\x12\x49\x44\x41\x54\x78\x9c\x63\xf8\xcf\xc0\xc0\x00\xc2\x0c\xff"
+    "\x81\x00\x00\x1f\xee\x05\xfb\x0b\xd9\x68\x8b\x00\x00\x00\x00\x49\x45\x4e\x44\xae\x42\x60\x82";
+const std::vector<std::uint8_t> pixels{255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255};
+
+const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
+
+TEST_F(MaterialPictures, TrianglesOfObjHaveThoseOfTheirMaterials) {
+  made("picture.png", {png, sizeof(png) - 1});
+  made("a.mtl", "newmtl shown\nKd 0.5 0.5 0.5\nmap_Kd picture.png\nnewmtl plain\nKd 1 0 0.2\n");
+  const std::filesystem::path file =
+      made("a.obj", "mtllib a.mtl\n" + square +
+                        "v nan 0 0\nusemtl shown\nf 1/1 2/2 3/3\nf 5/1 2/2 3/3\nusemtl plain\nf 1/1 3/3 4/4\n");
+  const Reading reading = read_file(file, {.skip_invalid = true, .images = true});
+  const Geometry& geometry = reading.geometry;
+  ASSERT_EQ(geometry.triangle_images.size(), 2U);
+  std::vector<std::vector<std::uint8_t>> seen;
+  for (const std::uint32_t image : geometry.triangle_images) seen.push_back(geometry.images.at(image).pixels);
+  EXPECT_EQ(seen[0], pixels);
+  EXPECT_EQ(seen[1], (std::vector<std::uint8_t>{255, 0, 51}));
+  EXPECT_TRUE(read_file(file, {.skip_invalid = true}).geometry.images.empty());
+}
+
+TEST_F(MaterialPictures, GreyMaterialsWithoutPictureAreNone) {
+  made("a.mtl", "newmtl grey\nKd 0.8 0.8 0.8\n");
+  const auto file = made("a.obj", "mtllib a.mtl\n" + square + "usemtl grey\nf 1/1 2/2 3/3\n");
+  EXPECT_TRUE(read_file(file, {.images = true}).geometry.images.empty());
+}
+
+TEST_F(MaterialPictures, OnesThatCannotBeReadAreSaid) {
+  made("text.png", "no picture");
+  made("a.mtl", "newmtl a\nKd 0 1 0\nmap_Kd missing.png\nnewmtl b\nKd 0 0 1\nmap_Kd text.png\n");
+  const auto file = made("a.obj", "mtllib a.mtl\n" + square + "usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 1/1 3/3 4/4\n");
+  const Reading reading = read_file(file, {.images = true});
+  ASSERT_EQ(reading.warnings.size(), 2U);
+  EXPECT_NE(reading.warnings[0].find("missing.png"), std::string::npos);
+  EXPECT_NE(reading.warnings[1].find("is no picture"), std::string::npos);
+  EXPECT_EQ(reading.geometry.images.at(reading.geometry.triangle_images.at(1)).pixels,
+            (std::vector<std::uint8_t>{0, 0, 255}));
+}
+
+TEST_F(MaterialPictures, ThatOfGltfIsTinted) {
+  made("picture.png", {png, sizeof(png) - 1});
+  // Three positions, and three texture coordinates.
+  const std::array<float, 15> numbers{0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 1};
+  made("a.bin", {reinterpret_cast<const char*>(numbers.data()), sizeof(numbers)});
+  const auto file = made("a.gltf", R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+    "nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "material": 0}]}],
+    "materials": [{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0}, "baseColorFactor": [1, 0, 1, 1]}}],
+    "textures": [{"source": 0}], "images": [{"uri": "picture.png"}], "buffers": [{"uri": "a.bin", "byteLength": 60}],
+    "bufferViews": [{"buffer": 0, "byteLength": 36}, {"buffer": 0, "byteOffset": 36, "byteLength": 24}],
+    "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]},
+                  {"bufferView": 1, "componentType": 5126, "count": 3, "type": "VEC2"}]})");
+  const Geometry geometry = read_file(file, {.images = true}).geometry;
+  ASSERT_EQ(geometry.triangle_images.size(), 1U);
+  EXPECT_EQ(geometry.images.at(geometry.triangle_images[0]).pixels,
+            (std::vector<std::uint8_t>{255, 0, 0, 0, 0, 0, 0, 0, 255, 255, 0, 255}));
+  EXPECT_EQ(geometry.texture_coordinates, (std::vector<float>{0, 1, 1, 1, 0, 0}));  // the lower left pixel is at 0 0
+}
+
+}  // namespace
+}  // namespace glark::geometry
