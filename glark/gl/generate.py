@@ -358,7 +358,7 @@ def uniform_body(command, real):
         "[=, &here]() __attribute__((noinline, cold)) {",
         f"  if (location < glark::core::virtual_location_base) {real};",
         "  glark::core::GlState& state = here.context->state();",
-        "  if (state.lists().compiling()) { state.lists().note_uniforms(); return; }",
+        f"  if (state.lists().compiling()) {{ glark::core::track::compile_uniform(*here.context, \"{command.name}\", location); return; }}",
         "  if (!state.programs().mirroring() || state.immediate().open()) return;",
         "  state.refresh();  // a list may have used another program",
         f"  for (const glark::core::UniformMirror& mirror : {mirrors})",
@@ -369,7 +369,7 @@ def uniform_body(command, real):
 
 
 def wrappers_source(wrapped, kinds):
-    lines = [HEADER, '#include <cstring>\n\n#include "glark/core/context.h"\n#include "glark/core/track/immediate/count_vertex.h"\n#include "glark/gl/hooks.h"\n#include "shim/contexts/adopt.h"\n#include "shim/contexts/thread.h"\n\n'
+    lines = [HEADER, '#include <cstring>\n\n#include "glark/core/context.h"\n#include "glark/core/track/immediate/count_vertex.h"\n#include "glark/core/track/lists/compile_uniform.h"\n#include "glark/gl/hooks.h"\n#include "shim/contexts/adopt.h"\n#include "shim/contexts/thread.h"\n\n'
              "using glark::shim::adopt_current_context;\nusing glark::shim::Thread;\nusing glark::shim::thread;\n"]
     for c in wrapped:
         kind = kinds[c.name]

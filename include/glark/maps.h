@@ -123,6 +123,7 @@ struct Baked {
   std::size_t charts = 0, empty_charts = 0;  // charts, and those without any point
   std::uint64_t texels = 0, filled = 0;      // texels of charts, and those that got their values by diffusion
   double reach = 0;                          // the reach that was used
+  double density = 1;                        // of texels, relative to what the options ask for without limits of size
   SeamJumps seams;                           // in the first mipmap level
   std::vector<SeamJumps> mip_seams;  // in the second level and the third one, if a viewer takes means of four texels
 };

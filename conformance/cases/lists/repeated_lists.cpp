@@ -78,6 +78,35 @@ void check_left_behind(Test& t) {
   }
 }
 
+// A list that sets values and restores those before. The draws after it have what was current, also when they repeat.
+void check_restored(Test& t, bool pushes) {
+  const GLuint list = gl.GenLists(1);
+  refine();
+  compile_as(list, [pushes] {
+    if (pushes) gl.PushAttrib(GL_CURRENT_BIT);
+    gl.Color4f(1, 0, 0, 1);
+    gl.DepthTag1i(0);
+    gl.PopAttrib();
+  });
+  const GLfloat corners[] = {-0.75F, -0.5F, 0.75F, -0.75F, 0.25F, 0.75F};
+  gl.VertexPointer(2, GL_FLOAT, 0, corners);
+  gl.EnableClientState(GL_VERTEX_ARRAY);
+  const auto draw = [] { gl.DrawArrays(GL_TRIANGLES, 0, 3); };
+  for (const int round : {0, 1})
+    for (int again = 0; again < calls; ++again) {
+      gl.Color4f(0, round == 0 ? 1.0F : 0.5F, 1, 1);
+      gl.DepthTag1i(static_cast<GLuint>(round + 1));
+      if (!pushes) gl.PushAttrib(GL_CURRENT_BIT);
+      gl.CallList(list);
+      t.expect_equal(integer_of(GL_CURRENT_DEPTH_TAG_ARK), round + 1, "the tag that was restored");
+      gl.Disable(GL_ARK);
+      const Picture plain = picture_of(draw);
+      gl.Enable(GL_ARK);
+      t.expect_same_picture(picture_of(draw), plain, "a draw with the restored color", 2, 20);
+      t.expect_equal(count_generated(draw), GLuint{4} << (2 * round), "triangles with the restored tag");
+    }
+}
+
 // Four lists with different numbers of triangles, named in every type.
 void check_names(Test& t) {
   const GLuint base = 300;
@@ -259,6 +288,12 @@ Cases repeated_lists_cases() {
       list_case("left_behind", {"chapter-21-2", "10.R.1-13"},
                 "Call a list that sets colours and tags before and between its vertices, and check the current values.",
                 "Only the first calls leave the list's values.", check_left_behind),
+      list_case("restored", {"chapter-22-1", "10.R.1-13"},
+                "Call a list that pushes, sets a color and a tag and pops them; then draw.",
+                "The list's values, which are gone.", [](Test& t) { check_restored(t, true); }),
+      list_case("popped", {"chapter-22-1", "10.R.1-13"},
+                "Push, call a list that sets a color and a tag and pops them; then draw.",
+                "The list's values, which are gone.", [](Test& t) { check_restored(t, false); }),
       list_case("names", {"chapter-21-4", "chapter-21-5"},
                 "Call CallLists with names of each type, directly and from a list, with two list bases.",
                 "Groups of bytes in the wrong order; the list base at compilation.", check_names),

@@ -195,6 +195,46 @@ void check_array_elements(Test& t) {
   expect_weights(t, {1, 16, 32}, "with measured depths");
 }
 
+// Elements that are set through the location of another one, and members of structures.
+void check_whole_arrays(Test& t) {
+  const GLuint program =
+      set_up(t,
+             "struct Pair { float low[2]; float high; }; uniform float s[3]; uniform float z[3]; uniform Pair p[2];\n"
+             "void refine() { weights = vec3(s[2] + z[1], p[1].low[1], p[0].high + p[1].high); }");
+  const GLfloat values[] = {1, 2, 4}, others[] = {8, 16, 32}, low[] = {64, 128};
+  gl.Uniform1fv(locate(t, program, "s"), 3, values);
+  gl.Uniform1fv(locate(t, program, "z[0]"), 3, others);
+  gl.Uniform1fv(locate(t, program, "p[1].low"), 2, low);
+  gl.Uniform1f(locate(t, program, "p[0].high"), 256);
+  gl.Uniform1f(locate(t, program, "p[1].high"), 512);
+  expect_weights(t, {20, 128, 768}, "arrays and members");
+  if (gl.ProvokingVertex != nullptr) gl.ProvokingVertex(GL_FIRST_VERTEX_CONVENTION);  // OpenGL ES has none
+  expect_weights(t, {20, 128, 768}, "under the other provoking vertex convention");
+  gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_DEPTH_TAG_ARK);
+  gl.DepthTag1i(1);
+  expect_weights(t, {20, 128, 768}, "with another source of depths");
+}
+
+void check_compiled(Test& t) {
+  const GLuint program = set_up(t, two_uniforms);
+  const GLint first = locate(t, program, "first"), second = locate(t, program, "second");
+  gl.Uniform1f(first, 1);
+  gl.Uniform1f(second, 2);
+  const GLuint list = gl.GenLists(1);
+  for (const GLenum mode : {GL_COMPILE, GL_COMPILE_AND_EXECUTE}) {
+    gl.NewList(list, mode);
+    const GLfloat value = 7;
+    gl.Uniform1fv(first, 1, &value);
+    t.expect_error(GL_INVALID_OPERATION, "Uniform1fv of a refinement shader's uniform while a list is compiled");
+    gl.ProgramUniform1f(program, second, 7);
+    t.expect_error(GL_INVALID_OPERATION, "ProgramUniform1f of such a uniform while a list is compiled");
+    gl.EndList();
+    gl.CallList(list);
+    t.expect_no_error("the list");
+    expect_weights(t, {1, 2, 3}, "after the list");
+  }
+}
+
 std::set<std::string> active_uniforms(GLuint program) {
   GLint count = 0;
   gl.GetProgramiv(program, GL_ACTIVE_UNIFORMS, &count);
@@ -335,6 +375,9 @@ Cases refinement_shader_uniforms_cases() {
            "The refinement shader is compiled separately.", check_uses_of_vertex_shader),
       look("array_elements", {"11.R.9-21"}, "Set elements of an array, and change the source of depths in between.",
            "Elements lose their values.", check_array_elements),
+      look("whole_arrays", {"11.R.9-21", "11.R.9-22"},
+           "Set arrays by one location, and members of structures, and change what needs another refinement program.",
+           "Only the first element keeps its value, and no member.", check_whole_arrays),
       look("not_active", {"11.R.9-24"}, "Ask for all active uniforms before and after.",
            "The refinement program's uniforms are counted.", check_not_active),
       look("block", {"11.R.9-20"}, "A uniform block with a binding of its own, and a change of its buffer.",
@@ -342,6 +385,9 @@ Cases refinement_shader_uniforms_cases() {
       look("texture", {"11.R.9-20", "11.R.9-21"}, "Two samplers, set to units 2 and 5, then to the same.",
            "Unit 0 for all samplers.", check_texture),
   };
+  cases.push_back(Area{.prefix = "ark.shader.uniform.", .apis = compat_only}(
+      "compiled", {"11.R.9-44"}, "Set uniforms of the refinement shader while a list is compiled.",
+      "The list is silent, and the uniform keeps its value; the list sets a uniform of the program.", check_compiled));
   cases.push_back(
       Area{"ark.shader.uniform."}("stays", {"11.R.9-21", "11.R.9-22"},
                                   "Set a uniform of the refinement shader once, and change every refinement parameter.",

@@ -113,6 +113,7 @@ class Baker {
                   {.most_texels = options_.texture_memory / bytes * 3 / 4,
                    .most_side = options_.most_side,
                    .most_density = options_.noise > 0 ? 1 / (texel_of_noise * options_.noise * surface_.scale) : 0});
+    model_.density = static_cast<double>(atlas_.scale);
     maps_.resize(charts_.size());
     for (std::size_t c = 0; c < charts_.size(); ++c) maps_[c].resize(atlas_.places[c], channels_);
   }
@@ -148,9 +149,34 @@ class Baker {
         set_normals(c, is_empty);
       }
     });
+    set_colours_of_empty_charts();
     model_.filled = filled;
     model_.texels = texels;
     model_.empty_charts = empty;
+  }
+
+  // Charts without points get the mean colour of all others.
+  void set_colours_of_empty_charts() {
+    if (channels_ != channels_with_colour) return;
+    std::array<double, 3> sum{};
+    double count = 0;
+    std::vector<std::size_t> empty;
+    for (std::size_t c = 0; c < maps_.size(); ++c) {
+      const ChartMap& map = maps_[c];
+      const double before = count;
+      for (std::size_t at = 0; at < map.weights.size(); ++at) {
+        if (!(map.weights[at] > 0)) continue;
+        for (std::size_t k = 0; k < 3; ++k)
+          sum[k] += static_cast<double>(map.values[at * channels_ + colour_channel + k]);
+        ++count;
+      }
+      if (count == before) empty.push_back(c);
+    }
+    if (count == 0) return;
+    for (const std::size_t c : empty)
+      for (std::size_t at = 0; at < maps_[c].weights.size(); ++at)
+        for (std::size_t k = 0; k < 3; ++k)
+          maps_[c].values[at * channels_ + colour_channel + k] = static_cast<float>(sum[k] / count);
   }
 
   // Normals in tangent space, of unit length. Scans without normals get those of the displaced surface.

@@ -44,7 +44,7 @@ class Collector {
     return {.chart = c, .from = texel(ends[0]), .to = texel(ends[1])};
   }
   std::array<Vector, 2> tangents(std::uint32_t c, const Ends& ends) const {
-    return {tangent_at(charts_[c], surface_.normals[ends[0]]), tangent_at(charts_[c], surface_.normals[ends[1]])};
+    return {tangent_at(charts_[c], ends[0]), tangent_at(charts_[c], ends[1])};
   }
 
   const Surface& surface_;

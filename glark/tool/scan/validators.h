@@ -7,9 +7,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -37,6 +39,28 @@ inline CLI::Validator whole_above_zero() {
             text.erase(0, first);  // a zero in front would mean an octal number
             const std::string greatest = std::to_string(std::numeric_limits<std::uint64_t>::max());
             if (text.size() > greatest.size() || (text.size() == greatest.size() && text > greatest)) text = greatest;
+            return {};
+          },
+          ""};
+}
+
+// Accepts a size in bytes above 0, as 1000000, 64MB or 1.5GB, and turns it into a whole number. K, M, G and T are powers of
+// 1024.
+inline CLI::Validator bytes_above_zero() {
+  return {[](std::string& text) -> std::string {
+            constexpr std::string_view units = "kmgt";
+            const std::string wrong = "\"" + text + "\" is not a size above 0, as 64MB or 1.5GB";
+            const std::size_t digits = std::min(text.find_first_not_of("0123456789."), text.size());
+            double value = 0;
+            if (!CLI::detail::lexical_cast(text.substr(0, digits), value)) return wrong;
+            std::string unit = CLI::detail::to_lower(CLI::detail::trim_copy(text.substr(digits)));
+            if (!unit.empty() && units.find(unit.front()) != std::string_view::npos) {
+              value = std::ldexp(value, 10 * (1 + static_cast<int>(units.find(unit.front()))));
+              unit.erase(0, 1);
+              if (unit == "ib") unit.clear();
+            }
+            if ((!unit.empty() && unit != "b") || !(value >= 1 && value < 0x1p63)) return wrong;
+            text = std::to_string(static_cast<std::uint64_t>(value));
             return {};
           },
           ""};

@@ -277,7 +277,7 @@ void describe(CLI::App& command, EditOptions& edit) {
   command.add_option("--target", edit.sampling.target, "The most samples of a new session; default 200000")
       ->transform(whole_above_zero());
   command.add_option("--memory", edit.sampling.memory, "The most memory for the sampling, as 64MB; default 256MB")
-      ->transform(CLI::AsSizeValue(false))
+      ->transform(bytes_above_zero())
       ->type_name("BYTES");
   command.add_option("--threads", edit.sampling.threads, "Most threads; default: all of the machine");
   command.add_option("--width", edit.width, "Width of the window; default 1024")->check(CLI::Range(1, largest_side));

@@ -10,17 +10,17 @@
 #include <cerrno>
 #include <cstring>
 
+#include "glark/clients/common/fnv.h"
+
 namespace glark::edit {
 namespace {
 
 constexpr std::string_view first_line = "glark edit log 1\n";
 constexpr std::size_t checksum_digits = 16;
 
-// Source: G. Fowler, L. Noll, K.-P. Vo, FNV-1a with 64 bits. It begins with the checksum of the line before.
+// It begins with the checksum of the line before.
 std::uint64_t checksum_of(std::string_view line, std::uint64_t before) {
-  std::uint64_t sum = before ^ 0xcbf29ce484222325;
-  for (const char letter : line) sum = (sum ^ static_cast<unsigned char>(letter)) * 0x100000001b3;
-  return sum;
+  return common::add_to_fnv(before ^ common::fnv_of_nothing, line);
 }
 
 [[noreturn]] void fail_in_log(const std::filesystem::path& file, const std::string& what) {

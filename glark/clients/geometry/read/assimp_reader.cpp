@@ -87,10 +87,14 @@ class Scene {
   Reading gather() const {
     PointBuilder builder(name_, "vertex", attributes(), options_, ColourRange::fraction);
     std::int64_t first = 0;
+    std::size_t without_colour = 0;
     std::vector<std::int64_t> corners;
     for (unsigned i = 0; i < scene_.mNumMeshes; ++i) {
       const aiMesh& mesh = *scene_.mMeshes[i];
-      for (unsigned k = 0; k < mesh.mNumVertices; ++k) add_vertex(mesh, k, builder);
+      for (unsigned k = 0; k < mesh.mNumVertices; ++k) {
+        add_vertex(mesh, k, builder);
+        without_colour += lacks_colour(mesh, k) ? 1 : 0;
+      }
       for (unsigned k = 0; k < mesh.mNumFaces; ++k) {
         const aiFace& face = mesh.mFaces[k];
         if (face.mNumIndices < 3) continue;  // skips points and lines
@@ -100,6 +104,8 @@ class Scene {
       }
       first += mesh.mNumVertices;
     }
+    if (without_colour > 0)
+      builder.warn(fmt::format("{} vertices have no colour, unlike others; they are white", without_colour));
     Reading reading = builder.finish();
     if (options_.images) add_images(reading);
     return reading;
@@ -140,6 +146,11 @@ class Scene {
     return attributes;
   }
 
+  // Assimp gives vertices of OBJ without a colour, while others have one, no opacity either.
+  bool lacks_colour(const aiMesh& mesh, unsigned index) const {
+    return !linear_ && mesh.HasVertexColors(0) && mesh.mColors[0][index].IsBlack() && mesh.mColors[0][index].a == 0;
+  }
+
   void add_vertex(const aiMesh& mesh, unsigned index, PointBuilder& builder) const {
     Point point;
     const aiVector3D& position = mesh.mVertices[index];
@@ -150,7 +161,10 @@ class Scene {
     if (mesh.HasVertexColors(0)) {
       const aiColor4D& colour = mesh.mColors[0][index];
       const auto shown = [this](float value) { return linear_ ? srgb_from_linear(value) : value; };
-      point.colour = {shown(colour.r), shown(colour.g), shown(colour.b), std::max(0.0F, colour.a)};
+      if (lacks_colour(mesh, index))
+        point.colour = {1, 1, 1, opaque};
+      else
+        point.colour = {shown(colour.r), shown(colour.g), shown(colour.b), std::max(0.0F, colour.a)};
     }
     builder.add_point(point, false);
   }

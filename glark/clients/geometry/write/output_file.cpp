@@ -131,7 +131,7 @@ void OutputFile::overwrite(std::uint64_t offset, std::string_view bytes) {
   }
 }
 
-void OutputFile::commit() {
+void OutputFile::prepare() {
   flush();
   if (direct_) return;
   if (fsync(descriptor_) != 0) fail("writing failed");
@@ -142,6 +142,11 @@ void OutputFile::commit() {
       fail("cannot be put in its place");
     aside_ = name;
   }
+}
+
+void OutputFile::commit() {
+  prepare();
+  if (direct_) return;
   if (rename(aside_.c_str(), file_.c_str()) != 0) fail("cannot be put in its place");
   aside_.clear();
 }

@@ -35,6 +35,8 @@ class OutputFile {
   void overwrite(std::uint64_t offset, std::string_view bytes);
   // Whether the bytes go straight to a pipe or a device, where they cannot be replaced.
   bool is_direct() const { return direct_; }
+  // Does all of commit() that is likely to fail.
+  void prepare();
   // Puts the finished file in place.
   void commit();
 

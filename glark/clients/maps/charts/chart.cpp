@@ -83,6 +83,40 @@ void find_guests(Chart& chart, const Surface& surface) {
   });
 }
 
+Vector within_plane(Vector v, Vector normal) { return common::unit(v - normal * common::dot(v, normal)); }
+
+void set_tangents(Chart& chart, const Surface& surface) {
+  constexpr float least_cosine = 1e-4F;  // of a triangle and the plane; others have no direction
+  chart.vertices.clear();
+  for (const std::uint32_t t : chart.triangles)
+    chart.vertices.insert(chart.vertices.end(), surface.triangles[t].begin(), surface.triangles[t].end());
+  std::sort(chart.vertices.begin(), chart.vertices.end());
+  chart.vertices.erase(std::unique(chart.vertices.begin(), chart.vertices.end()), chart.vertices.end());
+  chart.tangents.assign(chart.vertices.size(), {});
+  for (const std::uint32_t t : chart.triangles) {
+    const Vector normal = surface.triangle_normals[t];
+    const float cosine = common::dot(normal, chart.normal);
+    if (!(cosine > least_cosine)) continue;
+    const Vector along = chart.u - chart.normal * (common::dot(chart.u, normal) / cosine);
+    const auto& corners = surface.triangles[t];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vector n = surface.normals[corners[k]], p = surface.positions[corners[k]];
+      const Vector a = within_plane(surface.positions[corners[(k + 1) % 3]] - p, n);
+      const Vector b = within_plane(surface.positions[corners[(k + 2) % 3]] - p, n);
+      const float angle = std::acos(std::clamp(common::dot(a, b), -1.0F, 1.0F));
+      const auto at = std::lower_bound(chart.vertices.begin(), chart.vertices.end(), corners[k]);
+      chart.tangents[static_cast<std::size_t>(at - chart.vertices.begin())] += within_plane(along, n) * angle;
+    }
+  }
+  for (std::size_t i = 0; i < chart.vertices.size(); ++i) {
+    const Vector n = surface.normals[chart.vertices[i]];
+    Vector& tangent = chart.tangents[i];
+    tangent = common::unit(tangent);
+    if (common::is_zero(tangent)) tangent = within_plane(chart.u, n);
+    if (common::is_zero(tangent)) tangent = chart.v;
+  }
+}
+
 }  // namespace
 
 void lay_out(Chart& chart, const Surface& surface) {
@@ -91,11 +125,12 @@ void lay_out(Chart& chart, const Surface& surface) {
   align(chart, surface);
   set_rectangle(chart, surface);
   find_guests(chart, surface);
+  set_tangents(chart, surface);
 }
 
-Vector tangent_at(const Chart& chart, Vector normal) {
-  const Vector tangent = common::unit(chart.u - normal * common::dot(chart.u, normal));
-  return common::is_zero(tangent) ? chart.v : tangent;
+Vector tangent_at(const Chart& chart, std::uint32_t vertex) {
+  const auto found = std::lower_bound(chart.vertices.begin(), chart.vertices.end(), vertex);
+  return chart.tangents[static_cast<std::size_t>(found - chart.vertices.begin())];
 }
 
 }  // namespace glark::maps

@@ -21,6 +21,8 @@ struct Chart {
   std::vector<std::uint32_t> triangles;  // in ascending order
   std::vector<std::uint32_t> guests;     // triangles of other charts around it, which its maps cover as well
   Point2 low{}, size{};                  // the rectangle of the triangles in the plane
+  std::vector<std::uint32_t> vertices;   // of the triangles, in ascending order
+  std::vector<Vector> tangents;          // at these vertices
 
   Point2 project(Vector p) const {
     const Vector d = p - origin;
@@ -28,10 +30,12 @@ struct Chart {
   }
 };
 
-// Sets the frame, the guests and the rectangle of a chart from its triangles.
+// Sets the frame, the guests, the rectangle and the tangents of a chart from its triangles.
 void lay_out(Chart& chart, const Surface& surface);
 
-// The direction in which the first texture coordinate grows, at a vertex of a chart.
-Vector tangent_at(const Chart& chart, Vector normal);
+// The direction in which the first texture coordinate grows, at a vertex of a chart's triangles: the mean of their directions,
+// weighted by their angles, as programs compute it again from the texture coordinates.
+// Source: Mikkelsen, Simulation of Wrinkled Surfaces Revisited, 2008 (MikkTSpace).
+Vector tangent_at(const Chart& chart, std::uint32_t vertex);
 
 }  // namespace glark::maps

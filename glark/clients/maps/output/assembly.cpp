@@ -90,7 +90,7 @@ class Assembly {
     const Place& place = in_.atlas.places[c];
     const Vector& p = in_.surface.positions[vertex];
     const Vector& n = in_.surface.normals[vertex];
-    const Vector t = tangent_at(chart, n);
+    const Vector t = tangent_at(chart, vertex);
     const Point2 at = place.texel(chart, chart.project(p));
     model_.positions.insert(model_.positions.end(), {p.x, p.y, p.z});
     model_.normals.insert(model_.normals.end(), {n.x, n.y, n.z});

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <string_view>
 
+#include "glark/clients/common/fnv.h"
 #include "glark/clients/geometry/geometry.h"
 #include "glark/clients/geometry/write/output_file.h"
 #include "glark/clients/maps/output/png.h"
@@ -23,8 +24,11 @@ constexpr double roughness = 0.8;
 
 class ModelBuilder {
  public:
-  ModelBuilder(const Baked& baked, std::string displacement_name)
-      : baked_(baked), displacement_name_(std::move(displacement_name)) {
+  // displacement_map: the bytes of its file.
+  ModelBuilder(const Baked& baked, std::string displacement_name, std::string_view displacement_map)
+      : baked_(baked),
+        displacement_name_(std::move(displacement_name)),
+        displacement_sum_(common::add_to_fnv(common::fnv_of_nothing, displacement_map)) {
     model_.asset.version = "2.0";
     model_.asset.generator = "glark bake";
     model_.buffers.emplace_back();
@@ -125,6 +129,7 @@ class ModelBuilder {
     displacement["uri"] = tinygltf::Value(displacement_name_);
     displacement["scale"] = tinygltf::Value(static_cast<double>(baked_.scale));
     displacement["bias"] = tinygltf::Value(static_cast<double>(baked_.bias));
+    displacement["fnv1a64"] = tinygltf::Value(fmt::format("{:016x}", displacement_sum_));
     tinygltf::Value::Object extras;
     extras["displacement"] = tinygltf::Value(displacement);
     material.extras = tinygltf::Value(extras);
@@ -140,6 +145,7 @@ class ModelBuilder {
 
   const Baked& baked_;
   std::string displacement_name_;
+  std::uint64_t displacement_sum_;
   tinygltf::Model model_;
 };
 
@@ -162,13 +168,16 @@ void write_model(const std::filesystem::path& file, const Baked& model) {
   beside.replace_extension(".displacement.png");
   try {
     geometry::OutputFile displacement(beside);
-    displacement.write(png_of(std::span(model.displacement_map), model.width, model.height));
+    const std::string map = png_of(std::span(model.displacement_map), model.width, model.height);
+    displacement.write(map);
     geometry::OutputFile output(file);
-    tinygltf::Model gltf = ModelBuilder(model, beside.filename().string()).build();
+    tinygltf::Model gltf = ModelBuilder(model, beside.filename().string(), map).build();
     std::ostringstream out;
     if (!tinygltf::TinyGLTF().WriteGltfSceneToStream(&gltf, out, false, true))
       throw Error(Element::file, 0, fmt::format("{} could not be written by tinygltf", file.string()));
     output.write(std::move(out).str());
+    displacement.prepare();
+    output.prepare();
     displacement.commit();
     output.commit();
   } catch (const geometry::Error& error) {

@@ -148,14 +148,19 @@ void set_normals_from_heights(const Chart& chart, const Place& place, const Surf
 void to_tangent_space(const Chart& chart, const Place& place, const Surface& surface, unsigned channels,
                       std::vector<float>& values) {
   const Coverage coverage = nearest_places(chart, place, surface);
+  const Vector chart_tangent = common::unit(chart.u - chart.vertex_normal * common::dot(chart.u, chart.vertex_normal));
+  std::uint32_t last = none;  // triangle, whose tangents are known
+  std::array<Vector, 3> tangents{};
   for (std::size_t at = 0; at < coverage.triangles.size(); ++at) {
-    Vector normal = chart.vertex_normal, tangent = tangent_at(chart, normal);
+    Vector normal = chart.vertex_normal, tangent = common::is_zero(chart_tangent) ? chart.v : chart_tangent;
     if (const std::uint32_t t = coverage.triangles[at]; t != none) {
+      if (t != last)
+        for (std::size_t k = 0; k < 3; ++k) tangents[k] = tangent_at(chart, surface.triangles[t][k]);
+      last = t;
       normal = tangent = {};
       for (std::size_t k = 0; k < 3; ++k) {
-        const Vector& of_vertex = surface.normals[surface.triangles[t][k]];
-        normal += of_vertex * coverage.weights[at][k];
-        tangent += tangent_at(chart, of_vertex) * coverage.weights[at][k];
+        normal += surface.normals[surface.triangles[t][k]] * coverage.weights[at][k];
+        tangent += tangents[k] * coverage.weights[at][k];
       }
     }
     float* n = values.data() + at * channels + normal_channel;

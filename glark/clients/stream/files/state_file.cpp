@@ -5,19 +5,12 @@
 #include <algorithm>
 #include <array>
 
+#include "glark/clients/common/fnv.h"
+
 namespace glark::stream {
-namespace {
-
-std::uint64_t add_to_sum(std::uint64_t sum, std::span<const char> bytes) {  // FNV-1a, by bytes
-  for (const char byte : bytes) sum = (sum ^ static_cast<unsigned char>(byte)) * 0x100000001B3U;
-  return sum;
-}
-
-}  // namespace
-
 void StateWriter::write(const void* bytes, std::size_t size) {
   if (size == 0 || !is_good_) return;
-  sum_ = add_to_sum(sum_, {static_cast<const char*>(bytes), size});
+  sum_ = common::add_to_fnv(sum_, {static_cast<const char*>(bytes), size});
   is_good_ = std::fwrite(bytes, 1, size, file_) == size;
 }
 
@@ -38,7 +31,7 @@ StateReader::StateReader(std::FILE* file) : file_(file) {
   for (long left = size - sum_size; left > 0;) {
     const std::size_t part = std::min<std::size_t>(block.size(), static_cast<std::size_t>(left));
     if (std::fread(block.data(), 1, part, file) != part) return;
-    sum = add_to_sum(sum, std::span(block).first(part));
+    sum = common::add_to_fnv(sum, {block.data(), part});
     left -= static_cast<long>(part);
   }
   if (std::fread(&wanted, 1, sizeof(wanted), file) != sizeof(wanted) || wanted != sum) return;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/refine/program/uniform_copy.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -112,6 +113,14 @@ Shape shape_of(GLenum type) {
     }
   }
   return {};  // int, bool, samplers, images: one integer
+}
+
+// Whether one of the names is that of the uniform or of an element. The location of one element sets those after it, too.
+bool names_any_of(const std::vector<std::string>& names, const ActiveUniform& uniform) {
+  return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
+    return name == uniform.name ||
+           (name.starts_with(uniform.name) && name.find('[', uniform.name.size()) == uniform.name.size());
+  });
 }
 
 void set_matrix(const gl::Dispatch& gl, GLuint program, GLint location, const Shape& shape, const GLfloat* value) {
@@ -360,14 +369,21 @@ std::optional<std::vector<std::string>> plain_uniforms(const gl::Dispatch& gl, G
 
 void copy_virtual_uniforms(const gl::Dispatch& gl, const std::vector<std::string>& names,
                            const core::DerivedProgram* other, core::DerivedProgram& derived) {
-  const std::vector<ActiveUniform> uniforms = active_uniforms(gl, derived.name);
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    const GLint target = gl.GetUniformLocation(derived.name, names[i].c_str());
-    derived.virtual_location_of.push_back(target);
-    const GLint source = other != nullptr && i < other->virtual_location_of.size() ? other->virtual_location_of[i] : -1;
-    const std::string base = names[i].substr(0, names[i].find('['));
-    for (const ActiveUniform& uniform : uniforms) {
-      if (target >= 0 && source >= 0 && uniform.name == base) {
+  for (const std::string& name : names) {
+    derived.virtual_location_of.push_back(gl.GetUniformLocation(derived.name, name.c_str()));
+  }
+  if (other == nullptr || names.empty()) {
+    return;
+  }
+  for (const ActiveUniform& uniform : active_uniforms(gl, derived.name)) {
+    if (!names_any_of(names, uniform)) {
+      continue;
+    }
+    for (GLint element = 0; element < uniform.size; ++element) {
+      const std::string name = element_name(uniform, element);
+      const GLint source = gl.GetUniformLocation(other->name, name.c_str());
+      const GLint target = gl.GetUniformLocation(derived.name, name.c_str());
+      if (source >= 0 && target >= 0) {
         copy_value(gl, other->name, source, derived.name, target, uniform.type);
       }
     }

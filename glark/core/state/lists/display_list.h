@@ -55,10 +55,14 @@ struct SegmentEffects {
     return values.empty() && !opaque && !touches_state && !draws_shapes && !draws_others && !changes_uniforms &&
            !materials.set;
   }
-  // A current value changes in a way that is not followed.
+  // A current value changes in a way that is not followed. Values that were set before may be gone, and a vertex may get
+  // what the list finds.
   void record_unknown(bool before_vertices) {
     opaque = true;
     late |= !before_vertices;
+    values.clear();
+    set = 0;
+    own = 0;
   }
   void record(int slot, const CurrentValue& value, bool before_vertices) {
     if (slot < 0) {

@@ -46,9 +46,35 @@ struct Fine {
   stream::Source source;
 };
 
+// The model names the displacement map, and glTF is UTF-8.
+bool is_utf8(const std::string& text) {
+  try {
+    return !Report(text).dump().empty();
+  } catch (const Report::exception&) {
+    return false;
+  }
+}
+
 void require_glb(const std::string& output) {
-  if (std::filesystem::path(output).extension() == ".glb") return;
-  throw std::runtime_error(output + ": the model is written as binary glTF; give a name that ends with .glb");
+  const std::filesystem::path file(output);
+  if (file.extension() != ".glb")
+    throw std::runtime_error(output +
+                             ": the model is written as binary glTF; give a name that ends with .glb, as model.glb");
+  if (!is_utf8(file.filename().string()))
+    throw std::runtime_error(output + ": the name is no UTF-8, which the text in a model must be; give another name");
+}
+
+void require_coarse(const geometry::Geometry& mesh, const Bake& command) {
+  if (!command.mesh.empty()) return;
+  if (mesh.triangles.empty())
+    throw std::runtime_error(fmt::format("{}: nothing is left of it with {} triangles; more --triangles keep its shape",
+                                         command.files.input, command.coarse.triangles));
+  constexpr double told = 1.05;
+  if (static_cast<double>(mesh.triangle_count()) > told * static_cast<double>(command.coarse.triangles))
+    warn(
+        fmt::format("{}: the coarse mesh has {} triangles instead of {}, because fewer would tear it; are all its "
+                    "triangles wound to one side?",
+                    command.files.input, mesh.triangle_count(), command.coarse.triangles));
 }
 
 double spacing_of(const geometry::Geometry& mesh) {
@@ -87,7 +113,12 @@ std::unique_ptr<Fine> read_fine(const Bake& command) {
 
 // noise: receives the noise of the points, if it is measured.
 geometry::Geometry coarse_mesh(const Bake& command, const Fine& fine, double& noise) {
-  if (!command.mesh.empty()) return read_coarse_mesh(command.mesh, command.files);
+  if (!command.mesh.empty()) {
+    geometry::Geometry mesh = read_coarse_mesh(command.mesh, command.files);
+    if (!mesh.texture_coordinates.empty())
+      warn(command.mesh + ": its texture coordinates are replaced by those of charts of glark's own");
+    return mesh;
+  }
   if (!fine.geometry.triangles.empty()) return simplify_to(fine.geometry, command.coarse);
   const std::size_t points = fine.geometry.point_count();
   if (points > 0 && points <= most_reconstructed) {
@@ -99,6 +130,11 @@ geometry::Geometry coarse_mesh(const Bake& command, const Fine& fine, double& no
 }
 
 void warn_of_losses(const maps::Baked& model, const std::string& file) {
+  constexpr double told = 0.99;
+  if (model.density < told)
+    warn(fmt::format(
+        "{}: the maps have {:.3g} of the texels that its points are worth; more --texture-memory gives more", file,
+        model.density * model.density));
   if (model.left_out > 0)
     warn(fmt::format(
         "{}: {} of {} points are left out, which are more than {:.3g} from the coarse mesh or face away from "
@@ -107,8 +143,9 @@ void warn_of_losses(const maps::Baked& model, const std::string& file) {
   if (model.invalid > 0)
     warn(fmt::format("{}: {} points with NaN or infinite coordinates are left out", file, model.invalid));
   if (model.empty_charts > 0)
-    warn(fmt::format("{}: {} of {} charts of the coarse mesh have no points; they stay flat", file, model.empty_charts,
-                     model.charts));
+    warn(fmt::format(
+        "{}: {} of {} charts of the coarse mesh have no points; they stay flat, with the mean colour of the others",
+        file, model.empty_charts, model.charts));
 }
 
 Report report_of(const maps::Baked& model, double noise) {
@@ -123,6 +160,7 @@ Report report_of(const maps::Baked& model, double noise) {
   report["charts_without_points"] = model.empty_charts;
   report["texels"] = model.texels;
   report["texels_filled"] = model.filled;
+  report["texel_density"] = model.density;
   report["reach"] = model.reach;
   report["noise"] = noise;
   report["lowest_displacement"] = model.bias;
@@ -148,6 +186,7 @@ void run(const Bake& command) {
   const std::unique_ptr<Fine> fine = read_fine(command);
   double noise = 0;
   const geometry::Geometry mesh = coarse_mesh(command, *fine, noise);
+  require_coarse(mesh, command);
   maps::BakeOptions options = command.options;
   if (command.options.noise == 0) options.noise = noise;
   options.threads = command.coarse.threads;
@@ -157,6 +196,11 @@ void run(const Bake& command) {
   const maps::Baked model = maps::bake(
       {.origin = mesh.origin, .positions = mesh.positions, .normals = mesh.normals, .triangles = mesh.triangles},
       fine->source, options);
+  if (command.mesh.empty() && 2 * model.left_out > model.points)
+    throw std::runtime_error(fmt::format(
+        "{}: {} of {} points are more than {:.3g} from the coarse mesh or face away from it; normals must point to the "
+        "outside: turn them, leave them out, or give a mesh by --mesh",
+        command.files.input, model.left_out, model.points, model.reach));
   warn_of_losses(model, command.files.input);
   maps::write_model(command.files.output, model);
   Report report = report_of(model, options.noise);
@@ -184,7 +228,7 @@ void describe(CLI::App& command, Bake& bake) {
   command
       .add_option("--texture-memory", bake.options.texture_memory,
                   "The most memory of the maps with mipmaps, as 64MB or 1GB; default 128MB")
-      ->transform(CLI::AsSizeValue(false))
+      ->transform(bytes_above_zero())
       ->type_name("BYTES");
   command
       .add_option("--texels-per-point", bake.options.texels_per_point,

@@ -58,6 +58,7 @@ void add_triangles(const surfel::Strips& strips, geometry::Geometry& geometry) {
 }  // namespace
 
 geometry::Geometry read_coarse_mesh(const std::string& file, const Files& files) {
+  if (file == "-") throw std::runtime_error("--mesh: standard input is for the points; write the mesh into a file");
   Files coarse = files;
   coarse.format.clear();
   geometry::Geometry mesh = load(file, coarse);

@@ -137,7 +137,7 @@ void add_edit(CLI::App& app) {
   command->add_option("--target", options.target, "The most samples of a new session; default 200000")
       ->transform(whole_above_zero());
   command->add_option("--memory", options.memory, "The most memory for the sampling, as 64MB or 1GB; default 256MB")
-      ->transform(CLI::AsSizeValue(false))
+      ->transform(bytes_above_zero())
       ->type_name("BYTES");
   command->add_option("--threads", options.threads,
                       "Most threads; default: all of the machine. The result is the same");

@@ -13,6 +13,7 @@
 #include "glark/tool/scan/files.h"
 #include "glark/tool/scan/info/contents.h"
 #include "glark/tool/scan/quality.h"
+#include "glark/tool/scan/validators.h"
 
 namespace glark::tool {
 namespace {
@@ -83,7 +84,7 @@ void add_info(CLI::App& app) {
           ->add_option("--memory", memory->bytes,
                        "The most memory, as 64MB or 4GB, 32MB or more; default 256MB. Larger files are read in parts, "
                        "and their topology is not reported")
-          ->transform(CLI::AsSizeValue(false))
+          ->transform(bytes_above_zero())
           ->check(at_least_32_mb())
           ->type_name("BYTES");
   command->callback([files, memory, reference, option] {

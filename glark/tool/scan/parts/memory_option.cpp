@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 #include "glark/tool/scan/parts/memory_option.h"
+#include "glark/tool/scan/validators.h"
 
 #include <unistd.h>
 
@@ -15,9 +16,10 @@ void describe_memory(CLI::App& command, Memory& memory) {
           [&memory](const std::uint64_t& bytes) {
             memory = {bytes, true};
           },
-          "The most memory, as 256MB or 4GB, 128MB or more; default: three quarters of the machine's. Larger files are "
-          "read in parts")
-      ->transform(CLI::AsSizeValue(false))
+          "The most memory for reading, as 256MB or 4GB, 128MB or more; default: three quarters of the machine's. "
+          "Larger "
+          "files are read in parts")
+      ->transform(bytes_above_zero())
       ->check(CLI::Range(std::uint64_t{128} << 20, std::numeric_limits<std::uint64_t>::max()))
       ->type_name("BYTES");
 }

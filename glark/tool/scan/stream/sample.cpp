@@ -131,7 +131,7 @@ void add_sample(CLI::App& app) {
       ->check(above_zero())
       ->excludes(target);
   command->add_option("--memory", options.memory, "The most memory, as 64MB or 1GB; default 256MB")
-      ->transform(CLI::AsSizeValue(false))
+      ->transform(bytes_above_zero())
       ->type_name("BYTES");
   command->add_option("--threads", options.threads,
                       "Most threads; default: all of the machine. The result is the same");

@@ -13,12 +13,13 @@ in vec3 base_normal;
 in vec4 base_tangent;
 in vec2 place;
 
-// The normal map's x is along the tangent, its y along the bitangent: up in the picture. The frame is that of MikkTSpace,
-// whose vectors are not normalised between the vertices.
+// The normal map's x is along the tangent, its y along the bitangent: up in the picture. All have unit length between the
+// vertices, too, as for glark bake.
 vec3 mapped_normal() {
   vec3 texel = texture(normals, place).xyz * 2.0 - 1.0;
-  vec3 bitangent = base_tangent.w * cross(base_normal, base_tangent.xyz);
-  return texel.x * base_tangent.xyz + texel.y * bitangent + texel.z * base_normal;
+  vec3 normal = normalize(base_normal), tangent = normalize(base_tangent.xyz);
+  vec3 bitangent = base_tangent.w * normalize(cross(normal, tangent));
+  return texel.x * tangent + texel.y * bitangent + texel.z * normal;
 }
 
 void main() {

@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "glark/clients/common/fnv.h"
 #include "glark/tool/view/maps/gltf_values.h"
 
 namespace glark::tool {
@@ -173,7 +174,9 @@ class Reader {
     displacement.bias = number_of(extras, "bias");
     const std::string& uri = extras.Get("uri").Get<std::string>();
     try {
-      displacement.heights = decode_heights(bytes_beside(uri));
+      const std::vector<unsigned char> bytes = bytes_beside(uri);
+      require_own(extras, bytes);
+      displacement.heights = decode_heights(bytes);
     } catch (const std::runtime_error& error) {
       throw std::runtime_error(
           fmt::format("{}: {}; put the file that glark bake wrote beside the model", uri, error.what()));
@@ -187,6 +190,15 @@ class Reader {
                       "together",
                       uri, heights.width, heights.height, size->first, size->second));
     return displacement;
+  }
+
+  // Models of earlier versions have no checksum.
+  static void require_own(const tinygltf::Value& extras, std::span<const unsigned char> bytes) {
+    if (!extras.Has("fnv1a64") || !extras.Get("fnv1a64").IsString()) return;
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    const std::string sum = fmt::format("{:016x}", common::add_to_fnv(common::fnv_of_nothing, text));
+    if (extras.Get("fnv1a64").Get<std::string>() != sum)
+      throw std::runtime_error("it is not the file that was baked with this model");
   }
 
   static float number_of(const tinygltf::Value& extras, const char* name) {
