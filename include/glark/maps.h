@@ -140,6 +140,10 @@ GLARK_EXPORT Baked bake(const CoarseMesh& mesh, const stream::Source& points, co
 // complete. Errors: Error for files that cannot be written, or a model of more than 4 GiB.
 GLARK_EXPORT void write_model(const std::filesystem::path& file, const Baked& model);
 
+// Writes the maps that are in a model as files beside it: "model.normals.png" and, with colours, "model.colours.png" for
+// "model.glb". Errors: Error for files that cannot be written.
+GLARK_EXPORT void write_pictures(const std::filesystem::path& file, const Baked& model);
+
 }  // namespace glark::maps
 
 #endif  // GLARK_MAPS_H

@@ -36,6 +36,13 @@ TEST_F(MaterialPictures, TrianglesOfObjHaveThoseOfTheirMaterials) {
   EXPECT_TRUE(read_file(file, {.skip_invalid = true}).geometry.images.empty());
 }
 
+TEST_F(MaterialPictures, VerticesWithoutAColourAreSaid) {
+  const Reading reading =
+      read_file(made("a.obj", "v 0 0 0 1 0 0\nv 1 0 0 \nv\t0 1 0 0 0 0\nv 1 1 0\nf 1 2 3\nf 2 4 3\n"), {});
+  ASSERT_EQ(reading.warnings.size(), 1U);
+  EXPECT_NE(reading.warnings[0].find("2 of 4 vertices have no colour"), std::string::npos) << reading.warnings[0];
+}
+
 TEST_F(MaterialPictures, GreyMaterialsWithoutPictureAreNone) {
   made("a.mtl", "newmtl grey\nKd 0.8 0.8 0.8\n");
   const auto file = made("a.obj", "mtllib a.mtl\n" + square + "usemtl grey\nf 1/1 2/2 3/3\n");

@@ -99,6 +99,51 @@ TEST(Bake, TangentsAreOrthogonalToNormalsAndFollowTheTexture) {
   }
 }
 
+// Programs such as Blender leave the tangents of a file out and compute them again from the texture coordinates.
+TEST(Bake, TangentsAreThoseOfMikkTSpace) {
+  const Baked model = bake_bumps();
+  const auto vector = [](const std::vector<float>& values, std::size_t width, std::size_t i) {
+    return common::Vector3f{values[width * i], values[width * i + 1], values[width * i + 2]};
+  };
+  const auto within = [](common::Vector3f v, common::Vector3f n) { return common::unit(v - n * common::dot(v, n)); };
+  std::vector<common::Vector3f> sums(model.positions.size() / 3);
+  for (std::size_t t = 0; t < model.triangles.size(); t += 3) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t a = model.triangles[t + k], b = model.triangles[t + (k + 1) % 3];
+      const std::size_t c = model.triangles[t + (k + 2) % 3];
+      const auto edge = vector(model.positions, 3, b) - vector(model.positions, 3, a);
+      const auto other = vector(model.positions, 3, c) - vector(model.positions, 3, a);
+      const auto along = [&](std::size_t vertex, std::size_t axis) {
+        return model.texcoords[2 * vertex + axis] - model.texcoords[2 * a + axis];
+      };
+      const float area = along(b, 0) * along(c, 1) - along(c, 0) * along(b, 1);
+      const auto along_s = (edge * along(c, 1) - other * along(b, 1)) * (1 / area);
+      const auto n = vector(model.normals, 3, a);
+      const float cosine = common::dot(within(edge, n), within(other, n));
+      sums[a] += within(along_s, n) * std::acos(std::clamp(cosine, -1.0F, 1.0F));
+    }
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i)
+    EXPECT_GT(common::dot(common::unit(sums[i]), vector(model.tangents, 4, i)), 0.9999F) << i;
+}
+
+TEST(Bake, ChartsWithoutPointsHaveTheMeanColour) {
+  const Sphere fine = sphere_of(5, false), coarse = sphere_of(2, false);
+  std::vector<float> positions, normals;
+  for (std::size_t i = 0; i < fine.positions.size(); i += 3) {
+    if (fine.positions[i] < 0.8F) continue;
+    positions.insert(positions.end(), &fine.positions[i], &fine.positions[i] + 3);
+    normals.insert(normals.end(), &fine.normals[i], &fine.normals[i] + 3);
+  }
+  const std::vector<std::uint8_t> colours(positions.size(), 200);
+  const Baked model =
+      bake(coarse.coarse(), mesh_source({.positions = positions, .normals = normals, .colours = colours}, 1));
+  ASSERT_GT(model.empty_charts, 0U);
+  const SeenModel seen(model);
+  for (std::size_t t = 0; t < model.triangles.size() / 3; ++t)
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(seen.at(t, {0.4, 0.3, 0.3}).colour[k], 200 / 255.0, 0.01) << t;
+}
+
 TEST(Bake, SeamsAgree) {
   const Baked model = bake_bumps();
   EXPECT_GT(model.seams.edges, 0U);

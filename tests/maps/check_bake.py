@@ -7,14 +7,16 @@ check_bake.py GLARK
 """
 import json
 import math
+import os
 import pathlib
 import random
 import struct
+import subprocess
 import sys
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "geometry"))
-from command_case import CommandCase, sphere, write_ply  # noqa: E402
+from command_case import GLARK, CommandCase, sphere, write_ply  # noqa: E402
 
 
 def gltf_of(file):
@@ -89,11 +91,68 @@ class Bake(CommandCase):
             (1, ("bake", self.bumpy(), "-o", "out.glb", "--texture-memory", "1KB"), "texture-memory"),
             (1, ("bake", self.bumpy(), "-o", "out.glb", "--texels-per-point", "100"), "texels-per-point"),
             (1, ("bake", write_ply(self.path / "empty.ply", [], []), "-o", "out.glb"), "no points"),
+            (1, ("bake", self.bumpy(), "-o", "out.glb", "--mesh", "-"), "standard input is for the points"),
+            (2, ("bake", self.bumpy(), "-o", "out.glb", "--texture-memory", "-1"), "is not a size above 0"),
+            (2, ("bake", self.bumpy(), "-o", "out.glb", "--memory", "-5MB"), "is not a size above 0"),
+            (2, ("bake", self.bumpy(), "-o", "out.glb", "--memory", "1.5 apples"), "is not a size above 0"),
+            (1, ("bake", self.bumpy(), "-o", "out.glb", "--triangles", "1"), "more --triangles"),
         ]
         for status, arguments, word in cases:
             done = self.glark(*arguments, status=status)
             self.assertIn(word, done.stderr, arguments)
             self.assert_nothing_written()
+
+    def test_inverted_normals_keep_the_old_model(self):
+        points, triangles = sphere(60)
+        inverted = self.path / "inverted.ply"
+        data = write_ply(inverted, points, triangles).read_bytes()
+        begin = data.index(b"end_header\n") + 11
+        numbers = list(struct.unpack_from(f"<{6 * len(points)}f", data, begin))
+        numbers = [-x if i % 6 > 2 else x for i, x in enumerate(numbers)]
+        body = struct.pack(f"<{len(numbers)}f", *numbers)
+        inverted.write_bytes(data[:begin] + body + data[begin + len(body):])
+        (self.path / "out.glb").write_text("old")
+        done = self.glark("bake", inverted, "-o", "out.glb", "--triangles", "500", status=1)
+        self.assertRegex(done.stderr, "normals must point to the outside")
+        self.assertEqual("old", (self.path / "out.glb").read_text())
+
+    def test_what_is_lost_is_said(self):
+        points, triangles = sphere(20)
+        lines = [f"v {x} {y} {z}" for x, y, z in points] + [f"vt {x} {y}" for x, y, _ in points]
+        lines += ["f " + " ".join(f"{i + 1}/{i + 1}" for i in triangle) for triangle in triangles]
+        (self.path / "coarse.obj").write_text("\n".join(lines))
+        done = self.glark("bake", self.bumpy(), "-o", "out.glb", "--mesh", "coarse.obj", "--texture-memory", "1MB",
+                          "--texels-per-point", "64")
+        self.assertIn("its texture coordinates are replaced", done.stderr)
+        self.assertRegex(done.stderr, "the maps have 0.* of the texels")
+
+    def test_the_displacement_of_another_model_is_not_taken(self):
+        for name, height in (("a", 1.0), ("b", 1.5)):
+            points, triangles = sphere(60)
+            bumps = [tuple(c * (1 + height * 0.03 * math.sin(9 * p[0])) for c in p) for p in points]
+            write_ply(self.path / f"{name}.ply", bumps, triangles)
+            self.glark("bake", f"{name}.ply", "-o", f"{name}.glb", "--mesh", write_ply(self.path / "coarse.ply", *sphere(10)))
+        self.needs("view")
+        view = ("view", "a.glb", "--offscreen", "a.png")
+        self.assertEqual("", self.glark(*view).stderr)
+        (self.path / "b.displacement.png").replace(self.path / "a.displacement.png")
+        self.assertIn("not the file that was baked with this model", self.glark(*view).stderr)
+
+    def test_maps_as_pictures(self):
+        self.glark("bake", self.bumpy(), "-o", "model.glb", "--triangles", "500", "--png")
+        gltf = gltf_of(self.path / "model.glb")
+        data = (self.path / "model.glb").read_bytes()
+        view = gltf["bufferViews"][gltf["images"][0]["bufferView"]]
+        begin = 28 + struct.unpack_from("<I", data, 12)[0] + view.get("byteOffset", 0)
+        self.assertEqual(data[begin:begin + view["byteLength"]], (self.path / "model.normals.png").read_bytes())
+        self.assertFalse((self.path / "model.colours.png").exists())  # the mesh has no colours
+
+    def test_a_name_that_is_no_utf8_is_refused_at_once(self):
+        command = [GLARK, "bake", str(self.bumpy()), "-o", os.fsdecode(b"out\xff.glb")]
+        done = subprocess.run(command, capture_output=True, cwd=self.path)
+        self.assertEqual(1, done.returncode)
+        self.assertIn(b"no UTF-8", done.stderr)
+        self.assert_nothing_written()
 
     def test_mesh_elsewhere(self):
         points, triangles = sphere(10)

@@ -78,6 +78,27 @@ std::string check_stl(const std::string& name, std::vector<char>& bytes) {
   return fmt::format("{} bytes follow the {} triangles that the STL header announces; they are ignored", more, count);
 }
 
+// Assimp makes vertices black that have no colour while others have one. Returns a warning, or an empty text.
+std::string check_obj(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r";
+  std::size_t with = 0, without = 0;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    std::string_view line = text.substr(begin, end - begin);
+    begin = end + 1;
+    if (!line.starts_with("v ") && !line.starts_with("v\t")) continue;
+    std::size_t words = 0;
+    for (line.remove_prefix(1); words < 7; ++words) {
+      line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
+      if (line.empty()) break;
+      line.remove_prefix(std::min(line.find_first_of(blanks), line.size()));
+    }
+    ++(words >= 6 ? with : without);
+  }
+  if (with == 0 || without == 0) return {};
+  return fmt::format("{} of {} vertices have no colour; they are black", without, with + without);
+}
+
 class Scene {
  public:
   // linear: colours are linear, not as they are shown.
@@ -87,14 +108,10 @@ class Scene {
   Reading gather() const {
     PointBuilder builder(name_, "vertex", attributes(), options_, ColourRange::fraction);
     std::int64_t first = 0;
-    std::size_t without_colour = 0;
     std::vector<std::int64_t> corners;
     for (unsigned i = 0; i < scene_.mNumMeshes; ++i) {
       const aiMesh& mesh = *scene_.mMeshes[i];
-      for (unsigned k = 0; k < mesh.mNumVertices; ++k) {
-        add_vertex(mesh, k, builder);
-        without_colour += lacks_colour(mesh, k) ? 1 : 0;
-      }
+      for (unsigned k = 0; k < mesh.mNumVertices; ++k) add_vertex(mesh, k, builder);
       for (unsigned k = 0; k < mesh.mNumFaces; ++k) {
         const aiFace& face = mesh.mFaces[k];
         if (face.mNumIndices < 3) continue;  // skips points and lines
@@ -104,8 +121,6 @@ class Scene {
       }
       first += mesh.mNumVertices;
     }
-    if (without_colour > 0)
-      builder.warn(fmt::format("{} vertices have no colour, unlike others; they are white", without_colour));
     Reading reading = builder.finish();
     if (options_.images) add_images(reading);
     return reading;
@@ -146,11 +161,6 @@ class Scene {
     return attributes;
   }
 
-  // Assimp gives vertices of OBJ without a colour, while others have one, no opacity either.
-  bool lacks_colour(const aiMesh& mesh, unsigned index) const {
-    return !linear_ && mesh.HasVertexColors(0) && mesh.mColors[0][index].IsBlack() && mesh.mColors[0][index].a == 0;
-  }
-
   void add_vertex(const aiMesh& mesh, unsigned index, PointBuilder& builder) const {
     Point point;
     const aiVector3D& position = mesh.mVertices[index];
@@ -161,10 +171,7 @@ class Scene {
     if (mesh.HasVertexColors(0)) {
       const aiColor4D& colour = mesh.mColors[0][index];
       const auto shown = [this](float value) { return linear_ ? srgb_from_linear(value) : value; };
-      if (lacks_colour(mesh, index))
-        point.colour = {1, 1, 1, opaque};
-      else
-        point.colour = {shown(colour.r), shown(colour.g), shown(colour.b), std::max(0.0F, colour.a)};
+      point.colour = {shown(colour.r), shown(colour.g), shown(colour.b), std::max(0.0F, colour.a)};
     }
     builder.add_point(point, false);
   }
@@ -217,6 +224,7 @@ Reading read_by_assimp(Input& input, MeshFormat format, const ReadOptions& optio
   std::vector<char> bytes = whole(input);
   std::string warning;
   if (format == MeshFormat::stl) warning = check_stl(input.name(), bytes);
+  if (format == MeshFormat::obj) warning = check_obj({bytes.data(), bytes.size()});
   const auto [kind, hint, steps] = importing(format, bytes);
   Assimp::Importer importer;
   const aiScene* scene = names_files(input.name(), format, bytes, options)

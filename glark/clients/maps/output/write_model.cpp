@@ -185,4 +185,19 @@ void write_model(const std::filesystem::path& file, const Baked& model) {
   }
 }
 
+void write_pictures(const std::filesystem::path& file, const Baked& model) {
+  const auto write = [&](const char* ending, const std::vector<std::uint8_t>& map) {
+    std::filesystem::path beside = file;
+    geometry::OutputFile output(beside.replace_extension(ending));
+    output.write(png_of(std::span(map), model.width, model.height));
+    output.commit();
+  };
+  try {
+    write(".normals.png", model.normal_map);
+    if (!model.colour_map.empty()) write(".colours.png", model.colour_map);
+  } catch (const geometry::Error& error) {
+    throw Error(Element::file, 0, error.what());
+  }
+}
+
 }  // namespace glark::maps

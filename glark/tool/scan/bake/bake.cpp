@@ -36,6 +36,7 @@ struct Bake {
   CoarseOptions coarse;
   maps::BakeOptions options;
   Memory memory;
+  bool pictures = false;
 };
 
 // The fine surface. Its points are in a file, or in the memory.
@@ -203,6 +204,7 @@ void run(const Bake& command) {
         command.files.input, model.left_out, model.points, model.reach));
   warn_of_losses(model, command.files.input);
   maps::write_model(command.files.output, model);
+  if (command.pictures) maps::write_pictures(command.files.output, model);
   Report report = report_of(model, options.noise);
   report["seconds"] = progress.seconds();
   report["peak_memory_bytes"] = peak_memory();
@@ -215,6 +217,9 @@ void describe(CLI::App& command, Bake& bake) {
                   "The model to write, .glb. Its displacement map is written beside it")
       ->type_name("MODEL.glb")
       ->required();
+  command.add_flag(
+      "--png", bake.pictures,
+      "Write the normal map and the colour map beside the model, too: MODEL.normals.png, MODEL.colours.png");
   command
       .add_option("--mesh", bake.mesh,
                   "The coarse mesh; default: a mesh or reconstruction with fewer triangles, or strips of samples of "
