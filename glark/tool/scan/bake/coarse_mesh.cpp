@@ -69,7 +69,7 @@ geometry::Geometry read_coarse_mesh(const std::string& file, const Files& files)
   return mesh;
 }
 
-geometry::Geometry simplify_to(const geometry::Geometry& fine, const CoarseOptions& options) {
+geometry::Geometry simplify_to(geometry::Geometry fine, const CoarseOptions& options) {
   Progress progress("simplifying");
   progress.show(-1);
   if (fine.triangle_count() <= options.triangles) return fine;
@@ -78,18 +78,16 @@ geometry::Geometry simplify_to(const geometry::Geometry& fine, const CoarseOptio
   simplify.threads = options.threads;
   simplify.method = vstree::Method::automatic;
   simplify.max_error = 1;
-  geometry::Geometry plain;
-  plain.origin = fine.origin;
-  plain.positions = fine.positions;
-  plain.normals = fine.normals;
-  plain.triangles = fine.triangles;
-  geometry::Geometry coarse = simplified(plain, simplify).geometry;
+  fine.colours = {};  // seams of colours would keep vertices
+  fine.texture_coordinates = {};
+  geometry::Geometry coarse = simplified(fine, simplify).geometry;
   unfold(coarse);
   return coarse;
 }
 
 CoarseReconstruction reconstruct_from(const geometry::Geometry& points, const CoarseOptions& options) {
   constexpr float least_part = 0.001F;  // of the area; smaller parts are mostly noise
+  constexpr unsigned levels = 1;        // what more levels add is simplified away
   CoarseReconstruction coarse;
   geometry::Geometry& mesh = coarse.mesh;
   {
@@ -97,14 +95,14 @@ CoarseReconstruction reconstruct_from(const geometry::Geometry& points, const Co
     progress.show(-1);
     reconstruct::Reconstructed result =
         reconstruct::reconstruct({.positions = points.positions, .normals = points.normals},
-                                 {.least_part = least_part, .threads = options.threads});
+                                 {.levels = levels, .least_part = least_part, .threads = options.threads});
     coarse.noise = static_cast<double>(result.noise);
     mesh.origin = points.origin;
     mesh.positions = std::move(result.positions);
     mesh.normals = std::move(result.normals);
     mesh.triangles = std::move(result.triangles);
   }
-  if (!mesh.triangles.empty()) mesh = simplify_to(mesh, options);
+  if (!mesh.triangles.empty()) mesh = simplify_to(std::move(mesh), options);
   return coarse;
 }
 
@@ -125,7 +123,7 @@ geometry::Geometry strip_sampling(const stream::Source& source, const CoarseOpti
     throw std::runtime_error(
         fmt::format("{}: its {} samples show no surface; give a mesh by --mesh, or more --triangles", source.name,
                     points.point_count()));
-  return simplify_to(points, options);
+  return simplify_to(std::move(points), options);
 }
 
 }  // namespace glark::tool

@@ -24,7 +24,7 @@ struct CoarseOptions {
 
 // Throws std::runtime_error if the file has no triangles.
 geometry::Geometry read_coarse_mesh(const std::string& file, const Files& files);
-geometry::Geometry simplify_to(const geometry::Geometry& fine, const CoarseOptions& options);
+geometry::Geometry simplify_to(geometry::Geometry fine, const CoarseOptions& options);
 struct CoarseReconstruction {
   geometry::Geometry mesh;  // without triangles if no surface is found in the points
   double noise = 0;         // of the points, in their unit
