@@ -37,7 +37,7 @@ void expect_picture(Test& t, const Picture& actual, const Picture& expected, con
 void check_combination(Test& t, const Change& change, const Combination& one, bool is_refined) {
   const Path& path = paths()[one.path];
   const std::string what = fmt::format("{}, refined {} times before", text_of(one), one.history);
-  Scene scene(t, one.triangles);
+  Scene scene(t, one.triangles, path.draws_instances || change.concern == Concern::integers);
   if (path.prepare != nullptr) path.prepare(t, scene);
   const auto draw = [&] { path.draw(scene); };
   const Picture before = picture_of(draw);

@@ -12,8 +12,9 @@
 
 namespace glark::conformance {
 
-// What a change concerns, and so which draws show it. `instances`: which vertices an instance reads.
-enum class Concern { arrays, instances, indices, commands, state };
+// What a change concerns, and so which draws show it. `instances`: which vertices an instance reads. `integers`: what only
+// a scene that reads all its inputs has.
+enum class Concern { arrays, instances, indices, commands, state, integers };
 
 // A row of a table of changes.
 struct Change {

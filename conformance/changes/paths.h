@@ -15,9 +15,10 @@ struct Path {
   Apis apis;
   void (*draw)(const Scene& scene);
   bool has_indices = false;
-  bool has_commands = false;   // in a buffer
-  bool has_instances = true;   // each draw is one instance at least
-  bool copies_arrays = false;  // a display list: later changes of arrays do not show
+  bool has_commands = false;     // in a buffer
+  bool has_instances = true;     // each draw is one instance at least
+  bool draws_instances = false;  // several of them
+  bool copies_arrays = false;    // a display list: later changes of arrays do not show
   void (*prepare)(Test& t, Scene& scene) = nullptr;
 };
 

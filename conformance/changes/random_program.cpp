@@ -143,7 +143,11 @@ std::optional<std::string> run(Test& t, const RandomProgram& program) {
   const std::unique_ptr<Context> own = t.create_context();
   std::optional<std::string> wrong;
   {
-    Scene scene(t, program.triangles);
+    const bool reads_all = std::any_of(program.steps.begin(), program.steps.end(), [](const Step& step) {
+      return step.change != nullptr ? step.change->concern == Concern::integers
+                                    : paths()[step.draw.path].draws_instances;
+    });
+    Scene scene(t, program.triangles, reads_all);
     for (const Path& path : paths())
       if (path.prepare != nullptr && path.apis.contains(t.api())) path.prepare(t, scene);
     show_the_brightest();

@@ -22,7 +22,8 @@ inline constexpr GLuint texel_unit = 2;
 
 // The picture shows each of them: colour = (colours + current + steps / 8) * tint * block * image * texel.
 struct Scene {
-  Scene(Test& t, int triangles);
+  // `reads_all`: the program also reads integers and gl_InstanceID. An implementation may keep less of such a draw.
+  Scene(Test& t, int triangles, bool reads_all);
   ~Scene();
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;

@@ -12,12 +12,12 @@ std::vector<Change> integers() {
   return {
       {"VertexAttribI1i",
        {"VertexAttribI1i"},
-       Concern::state,
+       Concern::integers,
        [](Test&, Scene&) { gl.VertexAttribI1i(at_steps, 5); },
        desktop_apis},
       {"VertexAttribI1iv",
        {"VertexAttribI1iv"},
-       Concern::state,
+       Concern::integers,
        [](Test&, Scene&) {
          const GLint v[] = {5};
          gl.VertexAttribI1iv(at_steps, v);
@@ -25,12 +25,12 @@ std::vector<Change> integers() {
        desktop_apis},
       {"VertexAttribI2i",
        {"VertexAttribI2i"},
-       Concern::state,
+       Concern::integers,
        [](Test&, Scene&) { gl.VertexAttribI2i(at_steps, 1, 4); },
        desktop_apis},
       {"VertexAttribI2iv",
        {"VertexAttribI2iv"},
-       Concern::state,
+       Concern::integers,
        [](Test&, Scene&) {
          const GLint v[] = {1, 4};
          gl.VertexAttribI2iv(at_steps, v);
@@ -38,12 +38,12 @@ std::vector<Change> integers() {
        desktop_apis},
       {"VertexAttribI3i",
        {"VertexAttribI3i"},
-       Concern::state,
+       Concern::integers,
        [](Test&, Scene&) { gl.VertexAttribI3i(at_steps, 1, 0, 4); },
        desktop_apis},
       {"VertexAttribI3iv",
        {"VertexAttribI3iv"},
-       Concern::state,
+       Concern::integers,
        [](Test&, Scene&) {
          const GLint v[] = {1, 0, 4};
          gl.VertexAttribI3iv(at_steps, v);
@@ -51,23 +51,23 @@ std::vector<Change> integers() {
        desktop_apis},
       {"VertexAttribI4i",
        {"VertexAttribI4i"},
-       Concern::state,
+       Concern::integers,
        [](Test&, Scene&) { gl.VertexAttribI4i(at_steps, 3, 2, 1, 0); }},
       {"VertexAttribI4iv",
        {"VertexAttribI4iv"},
-       Concern::state,
+       Concern::integers,
        [](Test&, Scene&) {
          const GLint v[] = {3, 2, 1, 0};
          gl.VertexAttribI4iv(at_steps, v);
        }},
       {"VertexAttribI1ui",
        {"VertexAttribI1ui"},
-       Concern::state,
+       Concern::integers,
        [](Test&, Scene&) { gl.VertexAttribI1ui(at_steps, 5); },
        desktop_apis},
       {"VertexAttribI1uiv",
        {"VertexAttribI1uiv"},
-       Concern::state,
+       Concern::integers,
        [](Test&, Scene&) {
          const GLuint v[] = {5};
          gl.VertexAttribI1uiv(at_steps, v);
@@ -75,12 +75,12 @@ std::vector<Change> integers() {
        desktop_apis},
       {"VertexAttribI2ui",
        {"VertexAttribI2ui"},
-       Concern::state,
+       Concern::integers,
        [](Test&, Scene&) { gl.VertexAttribI2ui(at_steps, 1, 4); },
        desktop_apis},
       {"VertexAttribI2uiv",
        {"VertexAttribI2uiv"},
-       Concern::state,
+       Concern::integers,
        [](Test&, Scene&) {
          const GLuint v[] = {1, 4};
          gl.VertexAttribI2uiv(at_steps, v);
@@ -88,12 +88,12 @@ std::vector<Change> integers() {
        desktop_apis},
       {"VertexAttribI3ui",
        {"VertexAttribI3ui"},
-       Concern::state,
+       Concern::integers,
        [](Test&, Scene&) { gl.VertexAttribI3ui(at_steps, 1, 0, 4); },
        desktop_apis},
       {"VertexAttribI3uiv",
        {"VertexAttribI3uiv"},
-       Concern::state,
+       Concern::integers,
        [](Test&, Scene&) {
          const GLuint v[] = {1, 0, 4};
          gl.VertexAttribI3uiv(at_steps, v);
@@ -101,12 +101,12 @@ std::vector<Change> integers() {
        desktop_apis},
       {"VertexAttribI4ui",
        {"VertexAttribI4ui"},
-       Concern::state,
+       Concern::integers,
        [](Test&, Scene&) { gl.VertexAttribI4ui(at_steps, 3, 2, 1, 0); },
        desktop_apis},
       {"VertexAttribI4uiv",
        {"VertexAttribI4uiv"},
-       Concern::state,
+       Concern::integers,
        [](Test&, Scene&) {
          const GLuint v[] = {3, 2, 1, 0};
          gl.VertexAttribI4uiv(at_steps, v);
@@ -114,7 +114,7 @@ std::vector<Change> integers() {
        desktop_apis},
       {"VertexAttribI4bv",
        {"VertexAttribI4bv"},
-       Concern::state,
+       Concern::integers,
        [](Test&, Scene&) {
          const GLbyte v[] = {3, 2, 1, 0};
          gl.VertexAttribI4bv(at_steps, v);
@@ -122,7 +122,7 @@ std::vector<Change> integers() {
        desktop_apis},
       {"VertexAttribI4ubv",
        {"VertexAttribI4ubv"},
-       Concern::state,
+       Concern::integers,
        [](Test&, Scene&) {
          const GLubyte v[] = {3, 2, 1, 0};
          gl.VertexAttribI4ubv(at_steps, v);
@@ -130,7 +130,7 @@ std::vector<Change> integers() {
        desktop_apis},
       {"VertexAttribI4sv",
        {"VertexAttribI4sv"},
-       Concern::state,
+       Concern::integers,
        [](Test&, Scene&) {
          const GLshort v[] = {3, 2, 1, 0};
          gl.VertexAttribI4sv(at_steps, v);
@@ -138,7 +138,7 @@ std::vector<Change> integers() {
        desktop_apis},
       {"VertexAttribI4usv",
        {"VertexAttribI4usv"},
-       Concern::state,
+       Concern::integers,
        [](Test&, Scene&) {
          const GLushort v[] = {3, 2, 1, 0};
          gl.VertexAttribI4usv(at_steps, v);

@@ -295,6 +295,56 @@ void check_budget(Test& t, GLint budget, GLuint coarse) {
   t.expect_equal(triangles_in_a_frame(t, mesh), coarser, "triangles of the frame after a measure changes");
 }
 
+struct BudgetChange {
+  const char* what;
+  void (*make)();
+};
+constexpr BudgetChange budget_changes[] = {
+    {"a greater budget", [] { gl.ARKParameteriARK(GL_TRIANGLE_BUDGET_ARK, 601); }},
+    {"a much greater budget", [] { gl.ARKParameteriARK(GL_TRIANGLE_BUDGET_ARK, 1000000); }},
+    {"a lesser budget", [] { gl.ARKParameteriARK(GL_TRIANGLE_BUDGET_ARK, 200); }},
+    {"no budget", [] { gl.ARKParameteriARK(GL_TRIANGLE_BUDGET_ARK, 0); }},
+    {"more pixels", [] { gl.ARKParameteriARK(GL_EDGE_PIXELS_ARK, 6); }},
+    {"fewer pixels", [] { gl.ARKParameteriARK(GL_EDGE_PIXELS_ARK, 2); }},
+    {"no pixels", [] { gl.ARKParameteriARK(GL_EDGE_PIXELS_ARK, 0); }},
+    {"other degrees", [] { gl.ARKParameteriARK(GL_EDGE_DEGREES_ARK, 3); }},
+    {"no degrees", [] { gl.ARKParameteriARK(GL_EDGE_DEGREES_ARK, 0); }},
+    {"another error", [] { gl.ARKParameterfARK(GL_SCREEN_ERROR_ARK, 0.01F); }},
+    {"no error", [] { gl.ARKParameterfARK(GL_SCREEN_ERROR_ARK, 0); }}};
+
+// With c = 1, triangles are those of the same measures without a budget. Each change has new buffers.
+void check_budget_changes(Test& t) {
+  gl.UseProgram(measured_program(t, "position"));
+  Mesh mesh;
+  for (int i = 0; i < 16; ++i) {
+    const Mesh bent = bent_triangle();
+    mesh.insert(mesh.end(), bent.begin(), bent.end());
+  }
+  constexpr GLuint budget = 600;
+  const auto set_measures = [] {
+    measure_by(3, 1);
+    gl.ARKParameteriARK(GL_REFINEMENT_ARK, GL_CURVED_PN_ARK);
+    gl.ARKParameterfARK(GL_SCREEN_ERROR_ARK, 0.0005F);
+  };
+  for (const BudgetChange& change : budget_changes) {
+    set_measures();
+    change.make();
+    gl.ARKParameteriARK(GL_TRIANGLE_BUDGET_ARK, 0);
+    upload(mesh);
+    const GLuint free = triangles_in_a_frame(t, mesh);
+    set_measures();
+    gl.ARKParameteriARK(GL_TRIANGLE_BUDGET_ARK, budget);
+    upload(mesh);
+    for (int frame = 0; frame < 20; ++frame) triangles_in_a_frame(t, mesh);
+    gl.ARKParameteriARK(GL_TRIANGLE_BUDGET_ARK, budget);  // no other value
+    const GLuint within = triangles_in_a_frame(t, mesh);
+    t.expect(within <= budget, fmt::format("{} triangles with a budget of {}, before {}", within, budget, change.what));
+    t.expect(free != within, fmt::format("{} shows", change.what));
+    change.make();
+    t.expect_equal(triangles_in_a_frame(t, mesh), free, std::string("triangles of the frame after ") + change.what);
+  }
+}
+
 constexpr Area depth_case{"ark.depth."};
 
 }  // namespace
@@ -329,6 +379,10 @@ Cases edge_depths_cases() {
                              "The same triangle after every command that sets one of several viewports.",
                              "Only Viewport is noticed; the viewport of another index counts.", check_indexed_viewports,
                              desktop_apis));
+  cases.push_back(depth_case("budget.changes", {"11.R.4-17", "11.R.4-28"},
+                             "Draw with a budget until c has settled; then change the budget or one of the measures.",
+                             "c starts again only if a measure changes, or only if there was no budget before.",
+                             check_budget_changes));
   for (const auto& [budget, coarse] : {std::pair<GLint, GLuint>{500, 16}, {2000, 16}, {9000, 300}})
     cases.push_back({.name = fmt::format("ark.depth.budget.{}", budget),
                      .clauses = {"11.R.4-28", "11.R.4-17"},

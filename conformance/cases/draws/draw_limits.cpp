@@ -163,11 +163,24 @@ void check_separate(Test& t) {
   expect_drawn(t, plain, 4, draw, "triangles of one of two buffers");
 }
 
+struct ManyPrimitives {
+  const char* leaf;
+  GLenum mode;
+  int primitives;
+  GLuint textures;  // units whose coordinates each vertex has
+};
+// As many triangles are captured at once as fit a buffer. With vertices of some sizes, their number is odd.
+constexpr ManyPrimitives many_primitives[] = {{"triangles", GL_TRIANGLES, 130000, 4},
+                                              {"quads", GL_QUADS, 70000, 4},
+                                              {"quads_6_textures", GL_QUADS, 50000, 6},
+                                              {"quads_8_textures", GL_QUADS, 40000, 8}};
+
 // Many vertices with several texture coordinates, more than any implementation captures at once.
-void check_many_immediate(Test& t, GLenum mode) {
+void check_many_immediate(Test& t, const ManyPrimitives& many) {
+  const GLenum mode = many.mode;
   const int sides = mode == GL_QUADS ? 4 : 3;
-  const int primitives = mode == GL_QUADS ? 70000 : 130000;
-  for (GLenum texture = 0; texture < 4; ++texture) {
+  const int primitives = many.primitives;
+  for (GLenum texture = 0; texture < many.textures; ++texture) {
     gl.ActiveTexture(GL_TEXTURE0 + texture);
     gl.Enable(GL_TEXTURE_2D);
   }
@@ -340,12 +353,12 @@ Cases draw_limits_cases() {
   cases.push_back(
       draw_case("separate_feedback", {"10.R.2-2"}, "Capture to two buffers, and draw from the one that is full.",
                 "As many vertices as would fit if the outputs were interleaved.", check_separate, desktop_apis));
-  for (const GLenum mode : {GL_TRIANGLES, GL_QUADS})
+  for (const ManyPrimitives& many : many_primitives)
     cases.push_back(draw_case(
-        std::string("begin_end.") + (mode == GL_QUADS ? "quads" : "triangles"), {"10.R.2-2"},
-        "Count more than a hundred thousand triangles between one Begin and End.",
-        "Triangles beyond the implementation's buffer are lost, or one at each seam.",
-        [mode](Test& t) { check_many_immediate(t, mode); }, compat_only));
+        std::string("begin_end.") + many.leaf, {"10.R.2-2", "11.R.3-5"},
+        "Count about a hundred thousand triangles between one Begin and End, with vertices of several sizes.",
+        "Triangles beyond the implementation's buffer are lost, or one at each seam; a seam divides a quad.",
+        [&many](Test& t) { check_many_immediate(t, many); }, compat_only));
   for (const bool is_uniform : {true, false}) {
     cases.push_back(draw_case(std::string("many_inputs.") + (is_uniform ? "uniform" : "tags"), {"11.R.6-4", "11.R.6-2"},
                               "Twelve inputs and other vertices from draw to draw: compare by bits.",

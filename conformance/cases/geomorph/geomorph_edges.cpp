@@ -112,6 +112,21 @@ void check_uniform(Test& t) {
 }
 
 // Draws to the screen too: an implementation may refine in another way than with transform feedback.
+void expect_current_tag(Test& t, const Mesh& mesh, float tag) {
+  const std::string what = "a current tag of " + as_text(tag);
+  const double depth = rounded_tag(tag);
+  for (int again = 0; again < 3; ++again) {
+    expect_edges(t, capture_morph(t, mesh), mesh, {depth, depth, depth}, what);
+    // Each edge of the pattern is divided by 2^ceil(depth), and at least as many corners have two triangles fewer. With
+    // one vertex inside, there are two triangles more.
+    const GLuint least = 3 * (1U << static_cast<unsigned>(std::ceil(depth))) - 2;
+    const GLuint drawn = count_generated([] { gl.DrawArrays(GL_TRIANGLES, 0, 3); });
+    t.expect(drawn >= least, fmt::format("{}: {} triangles, at least {}", what, drawn, least));
+    if (depth <= 1) t.expect_equal(drawn, depth > 0 ? 6U : 1U, what + ": triangles");
+  }
+}
+
+// The attribute of the tags gets its value by commands of several types.
 void check_current_tag(Test& t) {
   gl.UseProgram(morph_program(t));
   const Mesh mesh = morph_triangle({0, 0, 0});
@@ -119,15 +134,20 @@ void check_current_tag(Test& t) {
   morph_by_tags(pool);
   GLint attribute = 0;
   gl.GetIntegerv(GL_DEPTH_TAG_ATTRIBUTE_ARK, &attribute);
-  for (const float tag : {1.25F, 2.25F, 2.0F, 2.75F}) {
-    gl.VertexAttrib1f(static_cast<GLuint>(attribute), tag);
-    const std::string what = "a current tag of " + as_text(tag);
-    expect_edges(t, capture_morph(t, mesh), mesh, {tag, tag, tag}, what);
-    // Each edge of the pattern is divided by 2^ceil(tag), and at least as many corners have two triangles fewer.
-    const GLuint least = 3 * (1U << static_cast<unsigned>(std::ceil(tag))) - 2;
-    const GLuint drawn = count_generated([] { gl.DrawArrays(GL_TRIANGLES, 0, 3); });
-    t.expect(drawn >= least, fmt::format("{}: {} triangles, at least {}", what, drawn, least));
+  const auto index = static_cast<GLuint>(attribute);
+  for (const float tag : {1.25F, 2.25F, 2.0F, 2.75F, 0.5F, one, 0.0F, 1.0F, 0.4F * one, 1 - one, 0.75F, 0.25F}) {
+    gl.VertexAttrib1f(index, tag);
+    expect_current_tag(t, mesh, tag);
   }
+  if (t.is_gles()) return;
+  gl.VertexAttrib1d(index, 0.625);
+  expect_current_tag(t, mesh, 0.625F);
+  gl.VertexAttrib4Nub(index, 51, 255, 255, 255);
+  expect_current_tag(t, mesh, 51.0F / 255);
+  gl.DepthTag1i(1);
+  expect_current_tag(t, mesh, 1);
+  gl.VertexAttribP1ui(index, GL_UNSIGNED_INT_2_10_10_10_REV, GL_TRUE, 341);
+  expect_current_tag(t, mesh, 341.0F / 1023);
 }
 
 void check_off(Test& t) {
@@ -285,9 +305,10 @@ Cases geomorph_edges_cases() {
                  "An additional vertex inside; fractions of tags.", check_uniform),
       morph_case("off", {"11.R.14-1"}, "Without GEOMORPH_ARK, fractional tags are rounded to whole ones.",
                  "Always morphed.", check_off),
-      morph_case("current_tag", {"11.R.14-1", "11.R.14-5"},
+      morph_case("current_tag", {"11.R.14-1", "11.R.14-3", "11.R.14-5", "11.R.14-17"},
                  "Fractional current depth tags, on the screen and with transform feedback.",
-                 "A current tag, which all triangles of a draw share, is rounded.", check_current_tag),
+                 "A current tag, which all triangles of a draw share, is rounded, perhaps only below 1.",
+                 check_current_tag),
       morph_case("interior_ignored", {"11.R.14-8"}, "Both interiors give the same triangles.",
                  "The smooth interior has more.", check_interior_ignored),
       morph_case("edge.position", {"11.R.14-10", "11.R.14-2"}, "gl_Position on a curved edge of depth 1.875.",

@@ -251,6 +251,69 @@ void check_stack(Test& t, bool is_compiled_late) {
   t.expect_no_error("the calls");
 }
 
+// Draws whose vertices inherit the tag and a colour: with arrays, with Begin and End, and from a list.
+void draw_arrays() { gl.DrawArrays(GL_TRIANGLES, 0, 3); }
+void call_triangle() { gl.CallList(31); }
+
+void set_values(bool is_first) {
+  gl.DepthTag1i(is_first ? 3 : 1);
+  gl.Color4f(is_first ? 0.25F : 1, is_first ? 1 : 0.5F, 0.5F, 1);
+  gl.MultiTexCoord2f(GL_TEXTURE1, is_first ? 0.5F : 0, 0);
+  gl.VertexAttrib1f(at_extra, is_first ? 0.25F : 0.125F);
+}
+
+// PopAttrib restores values, in each way in which a list may execute it. No values are queried: an implementation may
+// learn them so.
+void check_popped(Test& t) {
+  gl.UseProgram(build_program(
+      t, {.vertex = "layout(location = 0) in vec4 position; layout(location = 6) in float extra; out vec4 colour;\n"
+                    "void main() { colour = gl_Color; colour.b = gl_MultiTexCoord1.x + extra;\n"
+                    "  gl_Position = position; }\n"}));
+  upload(one_triangle(), false);
+  gl.DisableVertexAttribArray(at_extra);
+  refine();
+  const GLuint name = 32;
+  compile_as(31, triangle);
+  compile_as(32, [] { gl.PopAttrib(); });
+  compile_as(33, [] { gl.CallList(32); });
+  compile_as(34, [&] { gl.CallLists(1, GL_UNSIGNED_INT, &name); });
+  compile_as(35, [] {
+    gl.PopAttrib();
+    triangle();
+  });
+  using Step = void (*)();
+  const Step pops[] = {[] { gl.PopAttrib(); },
+                       [] { gl.CallList(32); },
+                       [] { gl.CallList(33); },
+                       [] { gl.CallList(34); },
+                       [] { gl.CallList(35); },
+                       [] {
+                         gl.NewList(36, GL_COMPILE_AND_EXECUTE);
+                         gl.PopAttrib();
+                         gl.EndList();
+                       }};
+  for (const Step draw : {Step{draw_arrays}, Step{triangle}, Step{call_triangle}}) {
+    set_values(true);
+    gl.Disable(GL_ARK);
+    const Picture plain = picture_of(draw);
+    gl.Enable(GL_ARK);
+    for (std::size_t i = 0; i < std::size(pops); ++i)
+      for (int again = 0; again < 2; ++again) {
+        const std::string what = "after PopAttrib in way " + as_text(i);
+        set_values(true);
+        for (int times = 0; times < calls; ++times) draw();
+        gl.PushAttrib(GL_CURRENT_BIT);
+        set_values(false);
+        t.expect_equal(count_generated(draw), 4U, "triangles with the other values");
+        t.expect(count_different(picture_of(draw), plain, 8) > 300, "the other values show");
+        pops[i]();
+        t.expect_equal(count_generated(draw), 64U, "triangles " + what);
+        t.expect_same_picture(picture_of(draw), plain, what, 2, 20);
+      }
+  }
+  t.expect_no_error("the calls");
+}
+
 // GL stops at some depth of nesting, which may be any from 64 on.
 void check_recursion(Test& t, bool by_base) {
   const GLubyte names[] = {2};
@@ -304,6 +367,9 @@ Cases repeated_lists_cases() {
                 [](Test& t) { check_recursion(t, false); }),
       list_case("recursion_by_base", {"chapter-21-4"}, "Call a list that calls itself by CallLists.",
                 "Fewer lists, or a crash.", [](Test& t) { check_recursion(t, true); }),
+      list_case("popped", {"chapter-22-2"},
+                "Draw what inherits current values after PopAttrib, which lists execute in several ways.",
+                "The values before PopAttrib, because no command sets others.", check_popped),
       list_case("pool", {"chapter-21-7", "11.R.1-6"}, "Call ARKinit with a lower level while a list is compiled.",
                 "The current tag stays above the pool, or the list sets it.", check_pool_while_compiling),
       list_case(
