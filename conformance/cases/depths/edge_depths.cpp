@@ -334,7 +334,6 @@ void check_budget_changes(Test& t) {
     const GLuint free = triangles_in_a_frame(t, mesh);
     set_measures();
     gl.ARKParameteriARK(GL_TRIANGLE_BUDGET_ARK, budget);
-    upload(mesh);
     for (int frame = 0; frame < 20; ++frame) triangles_in_a_frame(t, mesh);
     gl.ARKParameteriARK(GL_TRIANGLE_BUDGET_ARK, budget);  // no other value
     const GLuint within = triangles_in_a_frame(t, mesh);

@@ -354,7 +354,7 @@ Cases repeated_lists_cases() {
       list_case("restored", {"chapter-22-1", "10.R.1-13"},
                 "Call a list that pushes, sets a color and a tag and pops them; then draw.",
                 "The list's values, which are gone.", [](Test& t) { check_restored(t, true); }),
-      list_case("popped", {"chapter-22-1", "10.R.1-13"},
+      list_case("restored_outside", {"chapter-22-1", "10.R.1-13"},
                 "Push, call a list that sets a color and a tag and pops them; then draw.",
                 "The list's values, which are gone.", [](Test& t) { check_restored(t, false); }),
       list_case("names", {"chapter-21-4", "chapter-21-5"},

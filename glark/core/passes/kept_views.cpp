@@ -103,11 +103,18 @@ bool KeptViews::same_uniforms(const DrawPlan& plan, ViewUniforms& uniforms) {
 }
 
 void KeptViews::follow(const DrawPlan& plan, const KeptDraw& kept) {
-  if (!plan.depth.keeps_view() || !kept.filled) {
+  if (!kept.filled) {
     return;
   }
   DrawCache::Entry& entry = *kept.entry;
   KeptView& view = entry.view;
+  if (!plan.depth.keeps_view()) {
+    if (plan.depth.measured && view.kept()) {  // it was measured without a budget
+      kept_.drop_view(entry);
+      view.followed = false;
+    }
+    return;
+  }
   const std::optional<ViewKey> key = plan.polygons ? std::nullopt : key_of(plan);
   const bool same = key && view.followed && *key == view.key;
   // Values that were not followed all the time are not compared.
