@@ -6,6 +6,7 @@
 #include <cstddef>
 
 #include "conformance/cases/cases.h"
+#include "conformance/cases/repeated/repeated.h"
 #include "conformance/support/capture.h"
 
 namespace glark::conformance {
@@ -81,8 +82,10 @@ void draw_anew() {
   draw_three();
 }
 
+void draw_often() { repeat_often(draw_three); }
+
 void expect_kept(Test& t, const Capability& capability, bool is_enabled) {
-  for (const auto draw : {draw_anew, draw_three, draw_anew}) {
+  for (const auto draw : {draw_anew, draw_three, draw_anew, draw_often, draw_three}) {
     draw();
     t.expect_equal(gl.IsEnabled(capability.name) == GL_TRUE, is_enabled,
                    std::string(capability.text) + (is_enabled ? ", enabled" : ", disabled"));
