@@ -119,8 +119,8 @@ void expect_all_kept(Test& t, const DrawsInTurn& draws) {
   }
 }
 
-// An implementation may keep the vertices of a draw that repeats often, if no buffer is written in between and no vertex
-// has the restart index.
+// An implementation may keep the vertices of a draw that repeats often. Buffers must not be written in between, and no
+// vertex may have the restart index.
 void check_kept(Test& t, GLenum source, bool is_fixed_function) {
   gl.UseProgram(is_fixed_function ? 0 : colour_program(t));
   for (const DrawsInTurn& draws : {DrawsInTurn{draw_anew, draw_three, draw_anew}, {draw_often, draw_three}}) {
