@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: MIT
 //
 // Scalar-tagged PN triangles (11.R.7a).
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "conformance/cases/cases.h"
+#include "conformance/cases/displacement/nearest_texture.h"
 #include "conformance/support/surface.h"
 
 namespace glark::conformance {
@@ -167,6 +169,37 @@ void check_tags(Test& t, const TagCase& tag_case) {
   expect_surface(t, capture_surface(t, mesh), mesh, tags, reference::scalar_tagged_pn, 4e-6);
 }
 
+// Each place in turn has another fourth component than its neighbours. A displacement by 0 changes nothing.
+void check_fourth_components(Test& t, const TagCase& tag_case, bool is_displaced) {
+  gl.UseProgram(surface_program(t));
+  const ShapeTags tags = of_vertices(tag_case.discontinuities, tag_case.scalars);
+  refine_uniformly(3, GL_SCALAR_TAGGED_PN_ARK);
+  if (is_displaced) {
+    bind_nearest_texture(3, 1, {255, 255, 255, 255});
+    gl.ARKParameteriARK(GL_DISPLACEMENT_UNIT_ARK, 3);
+    gl.ARKParameterfARK(GL_DISPLACEMENT_SCALE_ARK, 0);
+  }
+  const Mesh same = bent_mesh();
+  for (std::size_t place = 0; place < 4; ++place) {
+    Mesh mesh = same;
+    for (MeshVertex& vertex : mesh)
+      if (same_position(vertex.position, same[std::array{0U, 1U, 2U, 4U}[place]].position)) vertex.position[3] = 1.5F;
+    upload(mesh);
+    upload_shape_tags(tags);
+    expect_surface(t, capture_surface(t, mesh), mesh, tags, reference::scalar_tagged_pn, 4e-6);
+  }
+}
+
+Case fourth_components_case(const TagCase& tag_case, bool is_displaced) {
+  return {.name = std::string("ark.tagged_pn.fourth_components.") + tag_case.leaf + (is_displaced ? ".displaced" : ""),
+          .clauses = {"11.R.7-15", "11.R.7a-1", "11.R.7a-18"},
+          .plan =
+              "Each place of two triangles in turn has another fourth component: its edges stay straight. Positions "
+              "and normals at depth 3 are compared with the reference.",
+          .wrong = "Heights of points with different w are computed as if w were the same.",
+          .check = [tag_case, is_displaced](Test& t) { check_fourth_components(t, tag_case, is_displaced); }};
+}
+
 void expect_bits_of_curved(Test& t, const std::function<void()>& prepare) {
   gl.UseProgram(surface_program(t));
   const Mesh mesh = bent_mesh();
@@ -270,6 +303,10 @@ Cases scalar_tagged_pn_cases() {
          .plan = std::string(each.plan) + " Positions and normals at depth 4 are compared with the reference.",
          .wrong = each.wrong,
          .check = [each](Test& t) { check_tags(t, each); }});
+  for (const TagCase& each : tag_cases())
+    for (const bool is_displaced : {false, true})
+      if (const std::string leaf = each.leaf; leaf == "tension" || leaf == "sharp_edge_bias" || leaf == "everything")
+        cases.push_back(fourth_components_case(each, is_displaced));
   cases.push_back(
       {.name = "ark.tagged_pn.initial_values",
        .clauses = {"11.R.7a-9", "11.R.7a-23"},

@@ -311,6 +311,88 @@ Case provoking_case(const DrawForm& form, const Provoking& kind, bool is_first) 
           .check = [form, kind, is_first](Test& t) { check_provoking(t, form, kind, is_first); }};
 }
 
+// Integers within outputs that are not flat: the rest of the output is refined, they are not.
+struct IntegerMembers {
+  const char* leaf;
+  const char* declarations;
+  const char* statements;  // give `i` and `u` to the members
+  std::vector<const char*> captured;
+};
+
+const IntegerMembers integer_members[] = {
+    {"variables",
+     "out ivec2 i_out; out uint u_out; out vec4 f;",
+     "i_out = i; u_out = u; f = c;",
+     {"i_out", "u_out", "f"}},
+    {"structure",
+     "struct S { ivec2 i; uint u; vec4 f; }; out S s;",
+     "s.i = i; s.u = u; s.f = c;",
+     {"s.i", "s.u", "s.f"}},
+    {"nested",
+     "struct N { vec2 unused; ivec2 i; }; struct S { uint u; N n; vec4 f; }; out S s;",
+     "s.n.unused = c.xy; s.n.i = i; s.u = u; s.f = c;",
+     {"s.n.i", "s.u", "s.f"}},
+    {"structures",
+     "struct S { int i[2]; uint u; vec4 f; }; out S s[2];",
+     "for (int k = 0; k < 2; ++k) { s[k].i[0] = i.x; s[k].i[1] = i.y; s[k].u = u; s[k].f = c; }",
+     {"s[1].i", "s[1].u", "s[0].f"}},
+    {"array",
+     "out ivec2 i_out[2]; out uint u_out[20]; out vec4 f;",
+     "for (int k = 0; k < 20; ++k) { i_out[k % 2] = i; u_out[k] = u; } f = c;",
+     {"i_out[1]", "u_out[19]", "f"}},
+    {"block",
+     "out Block { ivec2 i; vec4 f; uint u; } b;",
+     "b.i = i; b.u = u; b.f = c;",
+     {"Block.i", "Block.u", "Block.f"}},
+};
+
+struct IntegersVertex {
+  GLint integer[2];
+  GLuint natural;
+  Vec4 refined;
+};
+
+void check_integer_members(Test& t, const IntegerMembers& kind, bool is_first) {
+  const GLuint program = build_program(
+      t, {.vertex = "layout(location = 0) in vec4 position; layout(location = 3) in vec4 c;\n"
+                    "layout(location = 7) in ivec2 i; layout(location = 8) in uint u; out vec4 colour;\n" +
+                    std::string(kind.declarations) + "\nvoid main() { " + kind.statements +
+                    "\n  colour = c; gl_Position = position; }\n",
+          .captured = kind.captured});
+  gl.UseProgram(program);
+  const Mesh mesh = many_vertices();
+  upload(mesh);
+  upload_integers(mesh);
+  gl.ProvokingVertex(is_first ? GL_FIRST_VERTEX_CONVENTION : GL_LAST_VERTEX_CONVENTION);
+  refine_uniformly(1, GL_LINEAR_OUTPUTS_ARK);
+  require_refinable(t, program);
+  for (const DrawForm& form : draw_forms) {
+    const auto vertices = capture_as<IntegersVertex>(t, 4000, [&] { gl.DrawArrays(form.mode, 0, form.count); });
+    t.require(vertices.size() == 3U * 3 * 4, "three triangles are refined to 4 each");
+    for (std::size_t k = 0; k < vertices.size(); ++k) {
+      const std::size_t triangle = k / 12;
+      const auto from = static_cast<std::size_t>((is_first ? form.first : form.last)[triangle]);
+      const bool holds = vertices[k].integer[0] == 100 - 7 * static_cast<GLint>(from) &&
+                         vertices[k].integer[1] == 0x7ffffff0 + static_cast<GLint>(from) &&
+                         vertices[k].natural == 0x80000001U + from;
+      if (!t.expect(holds, fmt::format("{}: triangle {} has the integers of vertex {}", form.leaf, triangle, from)))
+        return;
+    }
+    t.expect(vertices[0].refined != vertices[1].refined, "the other members are refined");
+  }
+}
+
+Case integer_members_case(const IntegerMembers& kind, bool is_first) {
+  return {.name = std::string("ark.linear.integer_members.") + kind.leaf + (is_first ? ".first" : ".last"),
+          .clauses = {"11.R.6-10"},
+          .plan =
+              "Outputs that are not flat have integer members. Draw triangles, a strip and a fan at depth 1 with "
+              "LINEAR_OUTPUTS_ARK: these members are those of the provoking vertex.",
+          .wrong = "Members have the value of another corner, or of the corner whose weight is greatest.",
+          .apis = desktop_apis,
+          .check = [kind, is_first](Test& t) { check_integer_members(t, kind, is_first); }};
+}
+
 }  // namespace
 
 Cases linear_outputs_cases() {
@@ -319,6 +401,8 @@ Cases linear_outputs_cases() {
   for (const DrawForm& form : draw_forms)
     for (const Provoking& kind : provoking_kinds)
       for (const bool is_first : {false, true}) cases.push_back(provoking_case(form, kind, is_first));
+  for (const IntegerMembers& kind : integer_members)
+    for (const bool is_first : {false, true}) cases.push_back(integer_members_case(kind, is_first));
   cases.push_back({.name = "ark.linear.inputs.executed_again",
                    .clauses = {"11.R.6-4", "overview-5"},
                    .plan = "A vertex stage squares its input: captured values are squares of refined inputs.",

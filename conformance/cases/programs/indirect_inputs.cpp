@@ -144,6 +144,67 @@ void check_subroutine_arrays(Test& t) {
   t.expect_no_error("the draws");
 }
 
+// A stage that applies its own subroutine to the colour. Each stage has another number of subroutine uniforms.
+std::string stage_with_subroutines(const std::string& uniforms, const std::string& rest) {
+  return "subroutine vec4 Tint(vec4 c);\n" + uniforms +
+         "\nsubroutine(Tint) vec4 kept(vec4 c) { return c; }\n"
+         "subroutine(Tint) vec4 swapped(vec4 c) { return c.gbra; }\n"
+         "subroutine(Tint) vec4 turned(vec4 c) { return vec4(1.0 - 0.5 * c.rgb, 1.0); }\n" +
+         rest;
+}
+
+GLuint program_with_subroutines(Test& t) {
+  return build_program(
+      t, {.vertex = stage_with_subroutines(
+              "subroutine uniform Tint first;",
+              "layout(location = 0) in vec4 position; layout(location = 3) in vec4 c; out vec4 passed;\n"
+              "void main() { passed = first(c); gl_Position = position; }\n"),
+          .fragment = stage_with_subroutines(
+              "subroutine uniform Tint third[2];",
+              "in vec4 colour; out vec4 pixel; void main() { pixel = third[1](third[0](colour)); }\n"),
+          .geometry = stage_with_subroutines(
+              "subroutine uniform Tint second[2];",
+              "layout(triangles) in; layout(triangle_strip, max_vertices = 3) out; in vec4 passed[]; out vec4 colour;\n"
+              "void main() { for (int i = 0; i < 3; ++i) { colour = second[1](second[0](passed[i]));\n"
+              "  gl_Position = gl_in[i].gl_Position; EmitVertex(); } }\n")});
+}
+
+// Places in the list of names: one for the vertex stage, two each for the geometry and the fragment stage.
+using Choice = std::array<std::size_t, 5>;
+
+void choose_in_all_stages(Test& t, GLuint program, const Choice& choice) {
+  const char* const names[] = {"kept", "swapped", "turned"};
+  std::size_t at = 0;
+  for (const GLenum stage : {GL_VERTEX_SHADER, GL_GEOMETRY_SHADER, GL_FRAGMENT_SHADER}) {
+    GLint count = 0;
+    gl.GetProgramStageiv(program, stage, GL_ACTIVE_SUBROUTINE_UNIFORM_LOCATIONS, &count);
+    t.require(count == (stage == GL_VERTEX_SHADER ? 1 : 2), "as many locations as subroutine uniforms");
+    std::vector<GLuint> chosen;
+    while (chosen.size() < static_cast<std::size_t>(count))
+      chosen.push_back(gl.GetSubroutineIndex(program, stage, names[choice[at++]]));
+    gl.UniformSubroutinesuiv(stage, count, chosen.data());
+  }
+}
+
+// Each turn changes one uniform of one stage.
+void check_subroutines_of_stages(Test& t) {
+  const GLuint program = program_with_subroutines(t);
+  gl.UseProgram(program);
+  upload(one_triangle());
+  refine_uniformly(2);
+  Picture last(surface_size, surface_size);
+  Choice choice = {1, 0, 1, 2, 0};
+  for (std::size_t turn = 0; turn < 2 * choice.size(); ++turn) {
+    choice[turn % 5] = (choice[turn % 5] + 1) % 3;
+    choose_in_all_stages(t, program, choice);
+    for (int again = 0; again < 2; ++again) expect_as_unrefined(t, "turn " + as_text(turn));
+    const Picture plain = unrefined();
+    t.expect(count_different(plain, last, 8) > 100, "turn " + as_text(turn) + " shows");
+    last = plain;
+  }
+  t.expect_no_error("the draws");
+}
+
 // Normalized and not normalized: bytes of 1 are almost black, or white.
 void check_same_bytes(Test& t, bool is_uniform) {
   gl.UseProgram(colour_program(t));
@@ -203,7 +264,13 @@ Cases indirect_inputs_cases() {
                  "A refined draw leaves the program's initial subroutines.", check_subroutines, desktop_apis),
       stage_case("subroutine_arrays", {"11.R.10-1", "10.R.2-6"},
                  "Choose subroutines for the elements of an array, and draw refined and unrefined in turn.",
-                 "The elements have the subroutines of the first one.", check_subroutine_arrays, desktop_apis)};
+                 "The elements have the subroutines of the first one.", check_subroutine_arrays, desktop_apis),
+      stage_case(
+          "subroutines_of_stages", {"11.R.10-1", "10.R.2-6"},
+          "Choose subroutines in the vertex, the geometry and the fragment stage, and draw refined and unrefined "
+          "in turn.",
+          "Later stages have their initial subroutines, or those of another stage.", check_subroutines_of_stages,
+          desktop_apis)};
   cases.push_back(Area{"ark.stage."}(
       "source_not_compiled", {"11.R.10-1"}, "Give the vertex shader another source after compiling it, then link.",
       "The refined draw uses the source that was never compiled.", check_source_not_compiled));

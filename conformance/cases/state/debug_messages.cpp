@@ -4,6 +4,7 @@
 // Messages of debug output: errors, and what a draw does not get (chapter 20).
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "conformance/cases/cases.h"
 #include "conformance/cases/programs/refinement_source.h"
@@ -40,6 +41,7 @@ class Listener {
   Listener(const Listener&) = delete;
   Listener& operator=(const Listener&) = delete;
 
+  Messages take_all() { return std::exchange(messages_, {}); }
   // The messages with this id since the last call; the others are dropped.
   Messages take(GLuint id) {
     Messages found;
@@ -208,6 +210,86 @@ void check_not_displaced(Test& t) {
   expect_told(t, 5, "position", [](GLuint) {});
 }
 
+using Counts = std::array<std::size_t, 3>;
+
+// The number of messages 3, 4 and 5 since the last call.
+Counts count_messages(Listener& listener) {
+  Counts counts{};
+  for (const Message& message : listener.take_all())
+    if (message.id >= 3 && message.id <= 5) ++counts[message.id - 3];
+  return counts;
+}
+
+// Makes the next draw generate message 3, 4 or 5.
+void cause(GLuint program, GLuint message) {
+  if (message == 3) gl.ARKParameteriARK(GL_REFINEMENT_ARK, GL_CURVED_PN_ARK);
+  if (message == 4) give(program, "void refine() { position.x += 0.1; }");
+  if (message == 5) gl.ARKParameteriARK(GL_DISPLACEMENT_UNIT_ARK, 0);
+}
+
+// Each step causes some of the messages. An implementation may generate message 3 earlier, since it refines outputs
+// where the vertex stage reads gl_VertexID.
+void expect_steps(Test& t, const std::string& position, const std::vector<std::vector<GLuint>>& steps) {
+  refine_uniformly(1, GL_LINEAR_INPUTS_ARK);
+  gl.ARKParameteriARK(GL_DISPLACEMENT_UNIT_ARK, -1);
+  Listener listener;
+  const GLuint program = position_program(t, position);
+  gl.UseProgram(program);
+  std::size_t earlier = 0;
+  std::string name = "after";
+  for (const auto& step : steps) {
+    for (const GLuint message : step) {
+      cause(program, message);
+      name += " " + as_text(message);
+    }
+    draw();
+    const Counts counts = count_messages(listener);
+    for (const GLuint message : step)
+      if (message != 3 || earlier == 0) t.expect_equal(counts[message - 3], 1U, name + ": message " + as_text(message));
+    earlier += counts[0];
+    draw();
+    t.expect(count_messages(listener) == Counts{}, name + ": no message is generated again");
+  }
+}
+
+// One program causes several messages: one after another, or at once.
+void check_each_of_three(Test& t) {
+  upload(one_triangle());
+  for (const auto& steps : std::vector<std::vector<std::vector<GLuint>>>{{{3}, {5}}, {{5}, {3}}, {{3, 5}}})
+    expect_steps(t, "position", steps);
+  for (const auto& steps : std::vector<std::vector<std::vector<GLuint>>>{{{3}, {4}, {5}},
+                                                                         {{3}, {5}, {4}},
+                                                                         {{4}, {3}, {5}},
+                                                                         {{4}, {5}, {3}},
+                                                                         {{5}, {3}, {4}},
+                                                                         {{5}, {4}, {3}},
+                                                                         {{3, 4}, {5}},
+                                                                         {{4, 5}, {3}},
+                                                                         {{5, 3}, {4}},
+                                                                         {{3}, {4, 5}},
+                                                                         {{4}, {5, 3}},
+                                                                         {{5}, {3, 4}},
+                                                                         {{3, 4, 5}}})
+    expect_steps(t, "position + vec4(0.001 * float(gl_VertexID))", steps);
+  t.expect_no_error("the draws");
+}
+
+// Message 3 is generated once for each program, not for each refinement.
+void check_other_refinement_once(Test& t) {
+  upload(one_triangle());
+  refine_uniformly(1);
+  Listener listener;
+  const std::array<GLenum, 3> refinements = {GL_CURVED_PN_ARK, GL_SCALAR_TAGGED_PN_ARK, GL_PHONG_ARK};
+  for (std::size_t first = 0; first < 3; ++first) {
+    gl.UseProgram(position_program(t, "position"));
+    for (std::size_t i = 0; i < 3; ++i) {
+      gl.ARKParameteriARK(GL_REFINEMENT_ARK, static_cast<GLint>(refinements[(first + i) % 3]));
+      draw();
+      t.expect_equal(listener.take(3).size(), i == 0 ? 1U : 0U, "messages with refinement number " + as_text(i + 1));
+    }
+  }
+}
+
 constexpr Area message_case{"ark.message.", control};
 
 }  // namespace
@@ -233,6 +315,14 @@ Cases debug_messages_cases() {
       message_case("ignored_shader", {"chapter-20-7", "chapter-20-17", "chapter-20-19"},
                    "Draw with a refinement shader and a vertex stage that reads gl_VertexID.",
                    "The shader is ignored in silence.", check_ignored_shader),
+      message_case("each_of_three", {"chapter-20-16", "chapter-20-17", "chapter-20-18", "chapter-20-19"},
+                   "One program causes messages 3, 4 and 5, in each order, one at a time and several at once.",
+                   "After one of these messages, a program generates none of the others; only one is generated where "
+                   "several apply.",
+                   check_each_of_three),
+      message_case("other_refinement_once", {"chapter-20-16", "chapter-20-19"},
+                   "Draw with one program and all curved refinements in turn.", "A message for each refinement.",
+                   check_other_refinement_once),
       message_case("not_displaced", {"chapter-20-8", "chapter-20-18", "chapter-20-19"},
                    "Displace with a vertex stage without a normal and a texture coordinate.",
                    "Nothing is displaced, in silence.", check_not_displaced),

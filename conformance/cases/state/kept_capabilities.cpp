@@ -4,8 +4,10 @@
 // A refined draw leaves each capability as it is (10.R.2-6): enabled, or disabled after it was enabled.
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 #include "conformance/cases/cases.h"
+#include "conformance/cases/repeated/repeated.h"
 #include "conformance/support/capture.h"
 
 namespace glark::conformance {
@@ -81,8 +83,12 @@ void draw_anew() {
   draw_three();
 }
 
-void expect_kept(Test& t, const Capability& capability, bool is_enabled) {
-  for (const auto draw : {draw_anew, draw_three, draw_anew}) {
+void draw_often() { repeat_often(draw_three); }
+
+using DrawsInTurn = std::vector<void (*)()>;
+
+void expect_kept(Test& t, const Capability& capability, bool is_enabled, const DrawsInTurn& draws) {
+  for (const auto draw : draws) {
     draw();
     t.expect_equal(gl.IsEnabled(capability.name) == GL_TRUE, is_enabled,
                    std::string(capability.text) + (is_enabled ? ", enabled" : ", disabled"));
@@ -100,18 +106,27 @@ void prepare_triangle(GLenum source, bool is_fixed_function) {
   gl.ARKParameteriARK(GL_EDGE_PIXELS_ARK, 10);
 }
 
-void check_kept(Test& t, GLenum source, bool is_fixed_function) {
-  gl.UseProgram(is_fixed_function ? 0 : colour_program(t));
-  prepare_triangle(source, is_fixed_function);
+void expect_all_kept(Test& t, const DrawsInTurn& draws) {
   for (const Capability& capability : capabilities) {
     if (!capability.apis.contains(t.api())) continue;
     const bool was_enabled = gl.IsEnabled(capability.name) == GL_TRUE;
     gl.Enable(capability.name);
-    expect_kept(t, capability, true);
+    expect_kept(t, capability, true, draws);
     gl.Disable(capability.name);
-    expect_kept(t, capability, false);
+    expect_kept(t, capability, false, draws);
     if (was_enabled) gl.Enable(capability.name);
     t.expect_no_error(capability.text);
+  }
+}
+
+// An implementation may keep the vertices of a draw that repeats often. Buffers must not be written in between, and no
+// vertex may have the restart index.
+void check_kept(Test& t, GLenum source, bool is_fixed_function) {
+  gl.UseProgram(is_fixed_function ? 0 : colour_program(t));
+  for (const DrawsInTurn& draws : {DrawsInTurn{draw_anew, draw_three, draw_anew}, {draw_often, draw_three}}) {
+    prepare_triangle(source, is_fixed_function);
+    expect_all_kept(t, draws);
+    if (!t.is_gles()) gl.PrimitiveRestartIndex(7);
   }
 }
 
@@ -161,7 +176,7 @@ Cases kept_capabilities_cases() {
       cases.push_back(
           {.name = "ark.draw.keeps.capabilities" + end,
            .clauses = {"10.R.2-6", "11.R.10-2"},
-           .plan = "Enable each capability, draw, disable it, and draw: IsEnabled has the last value.",
+           .plan = "Enable each capability, draw once or often, disable it, and draw: IsEnabled has the last value.",
            .wrong = "What a pass disabled is enabled again, though the application had disabled it.",
            .apis = is_fixed_function ? compat_only : every_api,
            .check = [source = source, is_fixed_function](Test& t) { check_kept(t, source, is_fixed_function); }});

@@ -3,8 +3,11 @@
 //
 // Welded positions (11.R.15): a roof of two triangles over one ridge. Each side has its own normal.
 #include <fmt/core.h>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <utility>
 
 #include "conformance/cases/cases.h"
 #include "conformance/support/surface.h"
@@ -123,9 +126,9 @@ void check_without(Test& t) {
   t.expect(apart > 0, "without WELD_ARK two normals bend the ridge apart");
 }
 
-void expect_as_unwelded(Test& t, const Mesh& mesh, const char* what) {
-  const auto plain = welded(t, mesh, GL_CURVED_PN_ARK, false);
-  const auto with = welded(t, mesh, GL_CURVED_PN_ARK, true);
+void expect_as_unwelded(Test& t, const Mesh& mesh, const char* what, GLenum refinement = GL_CURVED_PN_ARK) {
+  const auto plain = welded(t, mesh, refinement, false);
+  const auto with = welded(t, mesh, refinement, true);
   t.require(plain.size() == with.size() && plain.size() > mesh.size(), "both are refined");
   for (std::size_t i = 0; i < plain.size(); ++i)
     for (std::size_t k = 0; k < 3; ++k)
@@ -133,6 +136,16 @@ void expect_as_unwelded(Test& t, const Mesh& mesh, const char* what) {
 }
 
 void check_same_normals(Test& t) { expect_as_unwelded(t, bent_mesh(), "with the same normals (11.R.2) holds"); }
+
+// Places 0/5 and 2/3 are the ends of the ridge. The control points stay those of (11.R.2) if w differs along it.
+void check_same_normals_at_other_w(Test& t) {
+  for (const GLenum refinement : {GL_CURVED_PN_ARK, GL_SCALAR_TAGGED_PN_ARK, GL_PHONG_ARK})
+    for (const auto& [first, second] : {std::pair<std::size_t, std::size_t>{0, 5}, {2, 3}}) {
+      Mesh mesh = bent_mesh();
+      mesh[first].position[3] = mesh[second].position[3] = 1.5F;
+      expect_as_unwelded(t, mesh, "with the same normals (11.R.2) holds", refinement);
+    }
+}
 
 void check_opposite(Test& t) {
   Mesh mesh = bent_mesh();
@@ -234,29 +247,64 @@ void check_cube(Test& t) {
   }
 }
 
-void check_tagged_tension(Test& t, float tension) {
-  const Mesh mesh = hard_roof();
-  gl.UseProgram(surface_program(t));
-  upload(mesh);
+// (1 - t) b + t P, where t is the tension as section 11.R.7a clamps it.
+reference::Vector tightened(const reference::Corner& corner, const reference::Vector& control_point) {
+  const float given = corner.tags[1];
+  const double tension = std::isnan(given) ? 0 : std::clamp(static_cast<double>(given), -1.0, 1.0);
+  return (1 - tension) * control_point + tension * reference::vector_of(corner.position);
+}
+
+// The ridge of a mesh that has these tensions at its ends. If `is_tagged`, its beginning is tagged.
+void expect_tense_ridge(Test& t, const Vec2& tensions, bool is_tagged) {
+  Mesh mesh = hard_roof();
   ShapeTags tags;
-  tags.scalars.assign(6, Vec3{0, tension, 0});
+  tags.discontinuities.assign(6, Vec4{0, 0, 0, 1});
+  tags.scalars.assign(6, Vec3{0, 0.25F, 0});
+  for (const std::size_t i : {0U, 5U}) tags.scalars[i] = {0.5F, tensions[0], 0.5F};
+  for (const std::size_t i : {2U, 3U}) tags.scalars[i][1] = tensions[1];
+  if (is_tagged) {
+    tags.discontinuities[0] = tags.discontinuities[5] = {0.25F, -0.5F, 0.125F, 3};
+    mesh[5].normal = mesh[0].normal;
+  }
+  upload(mesh);
   upload_shape_tags(tags);
+  const Edge edge = ridge_of(capture_surface(t, mesh));
+  if (!is_tagged) expect_same_ridge(t, edge);
+  const reference::Corners first = corners_of(mesh, 0, tags);
+  const reference::Corners second = corners_of(mesh, 1, tags);
+  const reference::Vector b20 =
+      tightened(first[2], reference::welded_control_point(first[2], first[0], mesh[3].normal));
+  for (std::size_t side = 0; side < 2; ++side) {
+    const reference::Vector b02 =
+        is_tagged ? (side == 0 ? reference::tagged_control_point(first[0], first[2])
+                               : reference::tagged_control_point(second[2], second[0]))
+                  : tightened(first[0], reference::welded_control_point(first[0], first[2], mesh[5].normal));
+    for (std::size_t i = 0; i <= shared_steps; ++i) {
+      const reference::Vector expected =
+          cubic(reference::vector_of(first[0].position), b02, b20, reference::vector_of(first[2].position),
+                static_cast<double>(i) / shared_steps);
+      if (!t.expect(reference::length(reference::vector_of(edge[side][i].position) - expected) < 4e-6,
+                    fmt::format("tensions {} and {}: step {} of the ridge has the control points (1 - t) b + t P",
+                                tensions[0], tensions[1], i)))
+        return;
+    }
+  }
+}
+
+void check_tagged_tension(Test& t, bool is_tagged) {
+  gl.UseProgram(surface_program(t));
   refine_uniformly(4, GL_SCALAR_TAGGED_PN_ARK);
   gl.ARKParameteriARK(GL_WELD_ARK, GL_TRUE);
-  const Edge edge = ridge_of(capture_surface(t, mesh));
-  expect_same_ridge(t, edge);
-  const reference::Corners first = corners_of(mesh, 0);
-  const reference::Vector p0 = reference::vector_of(first[0].position);
-  const reference::Vector p2 = reference::vector_of(first[2].position);
-  const double s = tension;
-  const reference::Vector b02 = (1 - s) * reference::welded_control_point(first[0], first[2], mesh[5].normal) + s * p0;
-  const reference::Vector b20 = (1 - s) * reference::welded_control_point(first[2], first[0], mesh[3].normal) + s * p2;
-  for (std::size_t i = 0; i <= shared_steps; ++i) {
-    const reference::Vector expected = cubic(p0, b02, b20, p2, static_cast<double>(i) / shared_steps);
-    if (!t.expect(reference::length(reference::vector_of(edge[0][i].position) - expected) < 3e-6,
-                  "the ridge has the control points (1 - t) b + t P"))
-      return;
-  }
+  constexpr float nan_value = std::numeric_limits<float>::quiet_NaN();
+  for (const Vec2& tensions : {Vec2{0.5F, 0.5F},
+                               {-0.5F, 0.25F},
+                               {0, -0.75F},
+                               {-1, 0},
+                               {1, -0.25F},
+                               {7, -7},
+                               {nan_value, 0.75F},
+                               {-0.25F, nan_value}})
+    expect_tense_ridge(t, tensions, is_tagged);
 }
 
 void check_tagged_bits(Test& t) {
@@ -367,11 +415,17 @@ Cases welded_ridge_cases() {
                 "The first tag, the least, or each its own: a T-junction.", check_tags),
       weld_case("tagged.bits", {"11.R.15-14", "11.R.15-15"},
                 "SCALAR_TAGGED_PN_ARK without tags has the bits of CURVED_PN_ARK.", "Not welded.", check_tagged_bits),
-      {.name = "ark.weld.tagged.tension",
-       .clauses = {"11.R.15-14"},
-       .plan = "A tension of 0.5 pulls the welded control points to the corner.",
-       .wrong = "Tension is lost in welding.",
-       .check = [](Test& t) { check_tagged_tension(t, 0.5F); }},
+      weld_case("curved.same_normals_at_other_w", {"11.R.15-9", "11.R.7-15", "11.R.7c-5"},
+                "With the same normals WELD_ARK changes nothing where fourth components differ along the ridge.",
+                "The welded control points bend an edge that stays straight.", check_same_normals_at_other_w),
+      weld_case("tagged.tension", {"11.R.15-14", "11.R.7a-8"},
+                "Tensions of both signs, beyond the range and NaN pull the welded control points to the corner, or "
+                "push them away.",
+                "Tension is lost in welding, or only one sign of it counts.",
+                [](Test& t) { check_tagged_tension(t, false); }),
+      weld_case("tagged.one_end", {"11.R.15-14", "11.R.15-16"},
+                "The same with one tagged end of the ridge: only the other end is welded.",
+                "Both ends are welded, or neither.", [](Test& t) { check_tagged_tension(t, true); }),
   };
 }
 

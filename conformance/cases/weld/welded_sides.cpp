@@ -3,7 +3,11 @@
 //
 // WELD_ARK (11.R.15): instances, creases, and one angle for all sides of an edge.
 #include <fmt/core.h>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <set>
 #include <utility>
 
@@ -41,19 +45,93 @@ void check_instances(Test& t, bool by_attribute) {
   t.expect_equal(vertices.size() / 3, std::size_t{1 + 16 + 4}, "triangles of instances with the tags 0, 2 and 1");
 }
 
-// Two instances of one mesh that differ only in their normals: each is drawn as if the other did not exist.
-void check_instanced_normals(Test& t) {
-  gl.UseProgram(surface_program(t));
-  const Mesh mesh = one_triangle();
-  upload(mesh);
-  const float normals[] = {0.8F, 0.1F, 0.6F, -0.5F, 0.7F, 0.4F};
+// The words of the attributes of one instance: vec4, ivec4, uvec2, mat3x2, and dvec2 unless in OpenGL ES.
+constexpr std::size_t float_words = 4;
+constexpr std::size_t integer_words = 6;
+constexpr std::size_t matrix_words = 6;
+constexpr std::size_t double_words = 4;
+using InstanceWords = std::array<GLuint, float_words + integer_words + matrix_words + double_words>;
+
+// The gl_Position of an instance depends on none of them, so that positions cannot tell instances apart. The vertex
+// stage reads them all.
+GLuint program_of_instances(Test& t) {
+  const bool has_doubles = !t.is_gles();
+  return build_program(
+      t, {.vertex = std::string("layout(location = 0) in vec4 position; layout(location = 4) in vec4 floats;\n"
+                                "layout(location = 5) in ivec4 integers; layout(location = 6) in uvec2 naturals;\n"
+                                "layout(location = 8) in mat3x2 matrix;\n") +
+                    (has_doubles ? "layout(location = 11) in dvec2 doubles;\n" : "") +
+                    "out vec4 colour; out vec4 instance;\n"
+                    "void main() { gl_Position = position; colour = vec4(1.0);\n"
+                    "  instance = floats + vec4(integers) + vec4(naturals, matrix[0] + matrix[1] + matrix[2])" +
+                    (has_doubles ? " + vec4(doubles.xyxy)" : "") + "; }\n",
+          .captured = {"gl_Position", "instance"}});
+}
+
+void upload_instances(Test& t, const std::array<InstanceWords, 2>& instances) {
   GLuint buffer = 0;
   gl.GenBuffers(1, &buffer);
   gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
-  gl.BufferData(GL_ARRAY_BUFFER, sizeof(normals), normals, GL_STATIC_DRAW);
-  gl.VertexAttribPointer(at_normal, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
-  gl.VertexAttribDivisor(at_normal, 1);
-  refine_uniformly(3, GL_CURVED_PN_ARK);
+  gl.BufferData(GL_ARRAY_BUFFER, sizeof(instances), instances.data(), GL_STATIC_DRAW);
+  constexpr GLsizei stride = sizeof(InstanceWords);
+  const auto at = [](std::size_t word) { return reinterpret_cast<const void*>(word * sizeof(GLuint)); };
+  gl.VertexAttribPointer(4, 4, GL_FLOAT, GL_FALSE, stride, at(0));
+  gl.VertexAttribIPointer(5, 4, GL_INT, stride, at(float_words));
+  gl.VertexAttribIPointer(6, 2, GL_UNSIGNED_INT, stride, at(float_words + 4));
+  for (GLuint column = 0; column < 3; ++column)
+    gl.VertexAttribPointer(8 + column, 2, GL_FLOAT, GL_FALSE, stride,
+                           at(float_words + integer_words + std::size_t{2} * column));
+  if (!t.is_gles()) gl.VertexAttribLPointer(11, 2, GL_DOUBLE, stride, at(float_words + integer_words + matrix_words));
+  for (const GLuint index : {4U, 5U, 6U, 8U, 9U, 10U, 11U}) {
+    if (index == 11 && t.is_gles()) continue;
+    gl.EnableVertexAttribArray(index);
+    gl.VertexAttribDivisor(index, 1);
+  }
+}
+
+// Two instances with the same positions have tags 0 and 3, and differ in one word of what the vertex stage reads.
+void check_instance_words(Test& t) {
+  gl.UseProgram(program_of_instances(t));
+  upload(one_triangle(), false);
+  const float tags[] = {0, 3};
+  gl.ARKParameteriARK(GL_DEPTH_TAG_ATTRIBUTE_ARK, 13);
+  GLuint buffer = 0;
+  gl.GenBuffers(1, &buffer);
+  gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
+  gl.BufferData(GL_ARRAY_BUFFER, sizeof(tags), tags, GL_STATIC_DRAW);
+  gl.VertexAttribPointer(13, 1, GL_FLOAT, GL_FALSE, 0, nullptr);
+  gl.EnableVertexAttribArray(13);
+  gl.VertexAttribDivisor(13, 1);
+  refine_by_tags(3);
+  gl.ARKParameteriARK(GL_WELD_ARK, GL_TRUE);
+  const auto count = [&t] {
+    return capture_as<std::array<Vec4, 2>>(t, 1000, [] { gl.DrawArraysInstanced(GL_TRIANGLES, 0, 3, 2); }).size() / 3;
+  };
+  InstanceWords same{};
+  for (std::size_t i = 0; i < same.size(); ++i) same[i] = std::bit_cast<GLuint>(1 + 0.25F * static_cast<float>(i));
+  for (std::size_t i = 0; i < same.size() - (t.is_gles() ? double_words : 0); ++i) {
+    InstanceWords other = same;
+    other[i] ^= 0x8000U;
+    upload_instances(t, {same, other});
+    t.expect_equal(count(), std::size_t{1 + 64}, fmt::format("triangles of instances that differ in word {}", i));
+  }
+  t.expect_no_error("the draws");
+}
+
+// The attribute advances once an instance: two instances have these values.
+void upload_two(GLuint index, const std::array<Vec3, 2>& values) {
+  GLuint buffer = 0;
+  gl.GenBuffers(1, &buffer);
+  gl.BindBuffer(GL_ARRAY_BUFFER, buffer);
+  gl.BufferData(GL_ARRAY_BUFFER, sizeof(values), values.data(), GL_STATIC_DRAW);
+  gl.VertexAttribPointer(index, 3, GL_FLOAT, GL_FALSE, 0, nullptr);
+  gl.EnableVertexAttribArray(index);
+  gl.VertexAttribDivisor(index, 1);
+}
+
+// Two instances of one mesh differ only in their normals: each is drawn as if the other did not exist.
+void expect_normals_apart(Test& t, const std::array<Vec3, 2>& normals, const std::string& what) {
+  upload_two(at_normal, normals);
   std::array<std::vector<SurfaceVertex>, 2> both;
   for (const bool is_welded : {false, true}) {
     gl.ARKParameteriARK(GL_WELD_ARK, is_welded ? GL_TRUE : GL_FALSE);
@@ -67,10 +145,23 @@ void check_instanced_normals(Test& t) {
     bulge = std::max(bulge, static_cast<double>(std::abs(both[0][i].position[2])));
     for (std::size_t k = 0; k < 3; ++k)
       if (!t.expect_near(both[1][i].position[k], both[0][i].position[k], 2e-6,
-                         "instances that differ in an attribute are not welded to each other"))
+                         what + ": instances that differ in an attribute are not welded to each other"))
         return;
   }
   t.expect(bulge > 0.01, "the normals bend the triangle");
+}
+
+void check_instanced_normals(Test& t) {
+  gl.UseProgram(surface_program(t));
+  upload(one_triangle());
+  refine_uniformly(3, GL_CURVED_PN_ARK);
+  const Vec3 normal = {0.8F, 0.1F, 0.6F};
+  expect_normals_apart(t, {normal, Vec3{-0.5F, 0.7F, 0.4F}}, "all components");
+  for (std::size_t k = 0; k < 3; ++k) {
+    Vec3 other = normal;
+    other[k] = -0.5F;
+    expect_normals_apart(t, {normal, other}, fmt::format("component {}", k));
+  }
 }
 
 // A sharp edge with two tagged ends has the control points that it has without WELD_ARK.
@@ -208,9 +299,17 @@ Cases welded_sides_cases() {
                      .plan = "Three instances of one triangle, each with its own tag.",
                      .wrong = "The greatest tag of all instances, as if they were at one place.",
                      .check = [by_attribute](Test& t) { check_instances(t, by_attribute); }});
+  cases.push_back({.name = "ark.weld.instances.words",
+                   .clauses = {"11.R.15-5"},
+                   .plan =
+                       "Two instances with tags of 0 and 3 differ in one word of one attribute: floats, integers, a "
+                       "matrix, doubles.",
+                   .wrong = "Only the first component of an attribute, or the first attribute, tells instances apart.",
+                   .check = check_instance_words});
   cases.push_back({.name = "ark.weld.instances.normals",
                    .clauses = {"11.R.15-5"},
-                   .plan = "Two instances of one triangle, each with its own normal: WELD_ARK changes nothing.",
+                   .plan = "Two instances of one triangle, whose normals differ in all components or in one: WELD_ARK "
+                           "changes nothing.",
                    .wrong = "The edges of one instance have the other's normals as a second side.",
                    .check = check_instanced_normals});
   cases.push_back({.name = "ark.weld.many.tags",
