@@ -9,7 +9,9 @@
 #include <cstdint>
 #include <cstring>
 #include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "conformance/cases/cases.h"
 #include "conformance/support/refined_draw.h"
@@ -45,26 +47,34 @@ void check_instances(Test& t, bool by_attribute) {
   t.expect_equal(vertices.size() / 3, std::size_t{1 + 16 + 4}, "triangles of instances with the tags 0, 2 and 1");
 }
 
-// The words of the attributes of one instance: vec4, ivec4, uvec2, mat3x2, and dvec2 unless in OpenGL ES.
+// The words of the attributes of one instance: vec4, ivec4, uvec2, mat3x2, further vec4 at all locations that are left, and
+// dvec2 unless in OpenGL ES.
 constexpr std::size_t float_words = 4;
 constexpr std::size_t integer_words = 6;
 constexpr std::size_t matrix_words = 6;
+constexpr std::array<GLuint, 6> further_locations = {1, 2, 3, 7, 14, 15};
+constexpr std::size_t further_words = 4 * further_locations.size();
 constexpr std::size_t double_words = 4;
-using InstanceWords = std::array<GLuint, float_words + integer_words + matrix_words + double_words>;
+using InstanceWords = std::array<GLuint, float_words + integer_words + matrix_words + further_words + double_words>;
 
 // The gl_Position of an instance depends on none of them, so that positions cannot tell instances apart. The vertex
 // stage reads them all.
 GLuint program_of_instances(Test& t) {
   const bool has_doubles = !t.is_gles();
+  std::string further, sum;
+  for (const GLuint location : further_locations) {
+    further += fmt::format("layout(location = {0}) in vec4 further{0};\n", location);
+    sum += fmt::format(" + further{}", location);
+  }
   return build_program(
       t, {.vertex = std::string("layout(location = 0) in vec4 position; layout(location = 4) in vec4 floats;\n"
                                 "layout(location = 5) in ivec4 integers; layout(location = 6) in uvec2 naturals;\n"
                                 "layout(location = 8) in mat3x2 matrix;\n") +
-                    (has_doubles ? "layout(location = 11) in dvec2 doubles;\n" : "") +
+                    further + (has_doubles ? "layout(location = 11) in dvec2 doubles;\n" : "") +
                     "out vec4 colour; out vec4 instance;\n"
                     "void main() { gl_Position = position; colour = vec4(1.0);\n"
                     "  instance = floats + vec4(integers) + vec4(naturals, matrix[0] + matrix[1] + matrix[2])" +
-                    (has_doubles ? " + vec4(doubles.xyxy)" : "") + "; }\n",
+                    sum + (has_doubles ? " + vec4(doubles.xyxy)" : "") + "; }\n",
           .captured = {"gl_Position", "instance"}});
 }
 
@@ -81,11 +91,20 @@ void upload_instances(Test& t, const std::array<InstanceWords, 2>& instances) {
   for (GLuint column = 0; column < 3; ++column)
     gl.VertexAttribPointer(8 + column, 2, GL_FLOAT, GL_FALSE, stride,
                            at(float_words + integer_words + std::size_t{2} * column));
-  if (!t.is_gles()) gl.VertexAttribLPointer(11, 2, GL_DOUBLE, stride, at(float_words + integer_words + matrix_words));
-  for (const GLuint index : {4U, 5U, 6U, 8U, 9U, 10U, 11U}) {
-    if (index == 11 && t.is_gles()) continue;
-    gl.EnableVertexAttribArray(index);
-    gl.VertexAttribDivisor(index, 1);
+  std::vector<GLuint> locations{4, 5, 6, 8, 9, 10};
+  std::size_t word = float_words + integer_words + matrix_words;
+  for (const GLuint location : further_locations) {
+    gl.VertexAttribPointer(location, 4, GL_FLOAT, GL_FALSE, stride, at(word));
+    locations.push_back(location);
+    word += 4;
+  }
+  if (!t.is_gles()) {
+    gl.VertexAttribLPointer(11, 2, GL_DOUBLE, stride, at(word));
+    locations.push_back(11);
+  }
+  for (const GLuint location : locations) {
+    gl.EnableVertexAttribArray(location);
+    gl.VertexAttribDivisor(location, 1);
   }
 }
 

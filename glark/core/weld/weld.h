@@ -50,7 +50,7 @@ struct WeldRequest {
   bool normals = false;
 };
 
-inline constexpr std::size_t most_key_words = 32;
+inline constexpr std::size_t most_key_words = 512;  // more than all attributes have
 
 // Bounds of loops, as uniforms: compilers would unroll loops with constants.
 inline constexpr GLint ends_of_edge = 2;
