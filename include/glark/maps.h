@@ -71,7 +71,8 @@ struct FineMesh {
 };
 
 // Samples the triangles of a mesh evenly: at each triangle's corners, and so densely that neighbours on a triangle are
-// at most `spacing` apart, and that there are as many samples as the triangle has pixels. Errors: Error for a spacing that is not above zero, for arrays that do not fit together.
+// at most `spacing` apart, and a triangle has at least as many samples as pixels of its picture. Errors: Error for a spacing
+// that is not above zero, for arrays that do not fit together.
 GLARK_EXPORT stream::Source mesh_source(const FineMesh& mesh, double spacing);
 
 struct BakeOptions {

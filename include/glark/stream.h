@@ -85,7 +85,7 @@ struct TransferReport {
   bool is_deformed = false;           // some sample has moved
   std::vector<std::string> channels;  // those that were written
   // Points whose nearest sample is about as far from them as the others: many, if `from` is a sampling of another scan.
-  // Those of a part that a resumed transfer finds done do not count.
+  // A resumed transfer does not count points that were done before.
   std::uint64_t points_away = 0;
 };
 
@@ -165,8 +165,8 @@ struct RefineFiles {
       edited_output;  // `to` and the new samples, deformed and coloured as those around them; or empty
 };
 
-// Takes more samples of a region, of points that are none yet. Only the ranges of the cells around the region are read. Source: Boubekeur 2007, ch.
-// 4.5. Errors: Error for files that cannot be read or do not fit together, a scan that was changed, a region without
+// Takes more samples of a region, of points that are none yet. Only the ranges of the cells around the region are read.
+// Source: Boubekeur 2007, ch. 4.5. Errors: Error for files that cannot be read or do not fit together, a scan that was changed, a region without
 // samples, or one whose points do not fit into the memory, and an output that is another one of the files.
 GLARK_EXPORT RefineReport refine(const RefineFiles& files, const Region& region, const RefineOptions& options = {});
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "glark/core/capture/layout.h"
+
 namespace glark::core {
 
 bool shows_facets(const Environment& environment, const Program& program) {

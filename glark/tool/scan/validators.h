@@ -49,7 +49,7 @@ inline CLI::Validator whole_above_zero() {
 inline CLI::Validator bytes_above_zero() {
   return {[](std::string& text) -> std::string {
             constexpr std::string_view units = "kmgt";
-            const std::string wrong = "\"" + text + "\" is not a size above 0, as 64MB or 1.5GB";
+            std::string wrong = "\"" + text + "\" is not a size above 0, as 64MB or 1.5GB";
             const std::size_t digits = std::min(text.find_first_not_of("0123456789."), text.size());
             double value = 0;
             if (!CLI::detail::lexical_cast(text.substr(0, digits), value)) return wrong;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 //
 // --refine smooth: what glShadeModel(GL_FLAT) shows in one colour a triangle.
-#include <ostream>
 #include <string>
 #include <vector>
 
@@ -55,8 +54,6 @@ struct Shading {
   GLenum shade_model = GL_SMOOTH;
   bool is_flat = false;
 };
-
-void PrintTo(const Shading& shading, std::ostream* stream) { *stream << shading.name; }
 
 class ProgramShading : public testing::TestWithParam<Shading> {
  private:

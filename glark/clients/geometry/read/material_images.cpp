@@ -98,7 +98,7 @@ class Reader {
     if (material.GetTexture(aiTextureType_DIFFUSE, 0, &name) == aiReturn_SUCCESS) {
       try {
         result_.images.push_back(picture(name.C_Str()));
-        // Of an OBJ file, the picture replaces the colour.
+        // In OBJ files, a picture replaces the colour.
         if (is_gltf(material)) tint(result_.images.back(), colour);
         result_.has_pictures = true;
         return;

@@ -126,7 +126,7 @@ double MeshPoints::parts_for_pixels(std::size_t triangle) const {
   return std::isfinite(pixels) ? std::ceil(std::sqrt(pixels)) : 1;
 }
 
-// Of a triangle's picture, else of the vertices; white without both.
+// The colour of the triangle's picture, or that of its vertices; white without both.
 std::array<double, 3> MeshPoints::colour(std::size_t triangle, const std::array<std::uint32_t, 3>& corners,
                                          const std::array<double, 3>& weights) const {
   std::array<double, 3> colour{};
