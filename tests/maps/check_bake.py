@@ -138,6 +138,24 @@ class Bake(CommandCase):
         (self.path / "b.displacement.png").replace(self.path / "a.displacement.png")
         self.assertIn("not the file that was baked with this model", self.glark(*view).stderr)
 
+    def test_seams_that_differ_by_rounding_are_closed(self):
+        """A torus whose first and last rows and columns are equal but for rounding, as sines give them."""
+        columns, rows, lines = 90, 60, []
+        for i in range(columns + 1):
+            for k in range(rows + 1):
+                turn, roll = 2 * math.pi * i / columns, 2 * math.pi * k / rows
+                away = 1 + 0.4 * math.cos(roll)
+                lines.append(f"v {away * math.cos(turn)} {away * math.sin(turn)} {0.4 * math.sin(roll)}")
+        for i in range(columns):
+            for k in range(rows):
+                a = i * (rows + 1) + k + 1
+                b = a + rows + 1
+                lines += [f"f {a} {b} {b + 1}", f"f {a} {b + 1} {a + 1}"]
+        (self.path / "torus.obj").write_text("\n".join(lines))
+        self.assertFalse(self.report("info", "torus.obj")["topology"]["closed"])
+        self.glark("bake", "torus.obj", "-o", "torus.glb", "--triangles", "800")
+        self.assertTrue(self.report("info", "torus.glb")["topology"]["closed"])
+
     def test_maps_as_pictures(self):
         self.glark("bake", self.bumpy(), "-o", "model.glb", "--triangles", "500", "--png")
         gltf = gltf_of(self.path / "model.glb")
