@@ -326,6 +326,13 @@ void check_budget_changes(Test& t) {
     gl.ARKParameteriARK(GL_REFINEMENT_ARK, GL_CURVED_PN_ARK);
     gl.ARKParameterfARK(GL_SCREEN_ERROR_ARK, 0.0005F);
   };
+  set_measures();
+  gl.ARKParameteriARK(GL_TRIANGLE_BUDGET_ARK, 0);
+  upload(mesh);
+  for (int frame = 0; frame < 60; ++frame) triangles_in_a_frame(t, mesh);
+  gl.ARKParameteriARK(GL_TRIANGLE_BUDGET_ARK, budget);
+  for (int frame = 0; frame < 20; ++frame) triangles_in_a_frame(t, mesh);
+  t.expect(triangles_in_a_frame(t, mesh) <= budget, "a budget for a draw that repeated without one");
   for (const BudgetChange& change : budget_changes) {
     set_measures();
     change.make();
