@@ -63,10 +63,10 @@ struct FineMesh {
   std::span<const float> normals = {};            // [3 * vertices], or empty: those of the triangles
   std::span<const std::uint8_t> colours = {};     // [3 * vertices], red green blue; or empty
   std::span<const std::uint32_t> triangles = {};  // [3 * triangles]
-  // The colours of triangles instead of the vertices': the picture of each triangle, or no_picture, which repeats beyond
-  // 0 to 1, and where the vertices are in it. No pictures: empty.
+  // Pictures that give the colours of triangles, in place of `colours`. Beyond texture coordinates of 0 to 1, a picture
+  // repeats. Empty: there are none.
   std::span<const Picture> pictures = {};
-  std::span<const std::uint32_t> triangle_pictures = {};  // [triangles]
+  std::span<const std::uint32_t> triangle_pictures = {};  // [triangles]: the picture of each, or no_picture
   std::span<const float> texcoords = {};                  // [2 * vertices], or empty: 0; the lower left pixel is at 0 0
 };
 

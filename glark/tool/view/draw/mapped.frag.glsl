@@ -13,8 +13,8 @@ in vec3 base_normal;
 in vec4 base_tangent;
 in vec2 place;
 
-// The normal map's x is along the tangent, its y along the bitangent: up in the picture. All have unit length between the
-// vertices, too, as for glark bake.
+// The normal map's x is along the tangent, its y along the bitangent: up in the picture. Tangent, bitangent and normal
+// are scaled to unit length between the vertices, as glark bake assumes.
 vec3 mapped_normal() {
   vec3 texel = texture(normals, place).xyz * 2.0 - 1.0;
   vec3 normal = normalize(base_normal), tangent = normalize(base_tangent.xyz);
