@@ -61,6 +61,30 @@ void check_vertex_id_shader(Test& t) {
   t.expect(sorted() == without, "the refinement shader is ignored");
 }
 
+// The colour is no linear function of the position, so refined inputs would give other values than refined outputs.
+void check_cull_distance(Test& t) {
+  if (!t.has_extension("GL_ARB_cull_distance")) t.not_supported("no GL_ARB_cull_distance");
+  std::string log;
+  const GLuint program = try_program(
+      {.vertex = "#version 430\n#extension GL_ARB_cull_distance : require\n"
+                 "layout(location = 0) in vec4 position; out vec4 colour; out float gl_CullDistance[1];\n"
+                 "void main() { gl_Position = position; gl_CullDistance[0] = 1.0;\n"
+                 "  colour = vec4(floor(8.0 * position.x * position.x) + 16.0 * floor(8.0 * position.y)); }\n",
+       .fragment = "#version 430\nin vec4 colour; out vec4 pixel; void main() { pixel = colour; }",
+       .captured = {"gl_Position", "colour"}},
+      log);
+  if (program == 0) t.internal_error(log);
+  gl.UseProgram(program);
+  upload(one_triangle());
+  const auto coarse = capture_as<RecordedVertex>(t, 3, draw_one);
+  t.require(coarse.size() == 3, "the unrefined triangle");
+  refine_uniformly(2);
+  const std::array<float, 3> corners = {coarse[0][4], coarse[1][4], coarse[2][4]};
+  expect_corner_values(t, capture_as<RecordedVertex>(t, 1000, draw_one), corners, "gl_CullDistance is written");
+  set_refinement_shader(t, program, "void refine() { position.xyz += 5.0; }\n");
+  expect_corner_values(t, capture_as<RecordedVertex>(t, 1000, draw_one), corners, "with a refinement shader");
+}
+
 void check_draw_parameters(Test& t) {
   if (!t.has_extension("GL_ARB_shader_draw_parameters")) t.not_supported("no GL_ARB_shader_draw_parameters");
   std::string log;
@@ -123,11 +147,13 @@ constexpr Area stage_case{"ark.stage."};
 
 Cases builtin_inputs_cases() {
   Cases cases = {
-      stage_case("vertex_id", {"11.R.10-3", "11.R.10-4"},
+      stage_case("vertex_id", {"11.R.10-3", "11.R.10-9"},
                  "The stage squares gl_VertexID. Its outputs are refined from the corners.",
                  "Numbers of refined vertices; the square of a refined number.", check_vertex_id, every_api),
-      stage_case("vertex_id.refinement_shader", {"11.R.10-4"}, "Use a refinement shader together with gl_VertexID.",
+      stage_case("vertex_id.refinement_shader", {"11.R.10-9"}, "Use a refinement shader together with gl_VertexID.",
                  "The shader is executed; the status becomes FALSE.", check_vertex_id_shader, every_api),
+      optional(stage_case("cull_distance", {"11.R.10-9"}, "The stage writes gl_CullDistance; with a refinement shader.",
+                          "Refined inputs; the shader is executed.", check_cull_distance, desktop_apis)),
       optional(stage_case("draw_parameters", {"11.R.10-3", "11.R.10-5"},
                           "Two indirect draws with base vertices and base instances.",
                           "Values of the implementation's own draws.", check_draw_parameters, desktop_apis))};

@@ -191,6 +191,41 @@ void check_no_normal(Test& t) {
   t.expect(listener.take(3).empty(), "no message without a curved refinement");
 }
 
+void check_corners_only(Test& t) {
+  const std::string numbered = "position + vec4(0.001 * float(gl_VertexID))";
+  for (const GLenum refinement : {GL_LINEAR_INPUTS_ARK, GL_CURVED_PN_ARK}) {
+    refine_uniformly(1, refinement);
+    expect_told(t, 3, numbered, [](GLuint) {});
+  }
+  refine_uniformly(1, GL_LINEAR_OUTPUTS_ARK);
+  upload(one_triangle());
+  Listener listener;
+  gl.UseProgram(position_program(t, numbered));
+  draw();
+  t.expect(listener.take(3).empty(), "no message if outputs are wanted");
+}
+
+// A program that was linked again, or has another refinement shader, is told of again.
+void check_again(Test& t) {
+  upload(one_triangle());
+  refine_uniformly(1, GL_CURVED_PN_ARK);
+  Listener listener;
+  const GLuint program = position_program(t, "position");
+  gl.UseProgram(program);
+  const auto expect_once = [&](const std::string& what) {
+    draw();
+    t.expect_equal(listener.take(3).size(), 1U, what);
+    draw();
+    t.expect(listener.take(3).empty(), what + ": no message for the second draw");
+  };
+  expect_once("the first draw");
+  gl.LinkProgram(program);
+  gl.UseProgram(program);
+  expect_once("after LinkProgram");
+  give(program, "void refine() { position.x += 0.0; }");
+  expect_once("after RefinementShaderSourceARK");
+}
+
 void check_ignored_shader(Test& t) {
   refine_uniformly(1);
   expect_told(t, 4, "position + vec4(0.001 * float(gl_VertexID))",
@@ -309,21 +344,26 @@ Cases debug_messages_cases() {
       message_case("unrefined", {"chapter-20-5", "chapter-20-13", "chapter-20-15"},
                    "Draw twice with a refinement shader that has an error.",
                    "Silence; a message for each draw; a message without the error.", check_unrefined),
-      message_case("no_normal", {"chapter-20-6", "chapter-20-16", "chapter-20-19"},
+      message_case("no_normal", {"chapter-20-6", "chapter-20-20", "chapter-20-21"},
                    "Draw with each curved refinement and a vertex stage without a normal.",
                    "Silence; a message for each draw; one message for all programs.", check_no_normal),
-      message_case("ignored_shader", {"chapter-20-7", "chapter-20-17", "chapter-20-19"},
+      message_case("corners_only", {"11.R.10-3", "chapter-20-6", "chapter-20-20"},
+                   "Draw with a vertex stage that reads gl_VertexID, with each kind of refinement.",
+                   "The inputs are not refined, in silence; a message although outputs are wanted.", check_corners_only),
+      message_case("again", {"chapter-20-21"}, "Link a program again, and give it a refinement shader.",
+                   "A program that was changed stays silent.", check_again),
+      message_case("ignored_shader", {"chapter-20-7", "chapter-20-17", "chapter-20-21"},
                    "Draw with a refinement shader and a vertex stage that reads gl_VertexID.",
                    "The shader is ignored in silence.", check_ignored_shader),
-      message_case("each_of_three", {"chapter-20-16", "chapter-20-17", "chapter-20-18", "chapter-20-19"},
+      message_case("each_of_three", {"chapter-20-20", "chapter-20-17", "chapter-20-18", "chapter-20-21"},
                    "One program causes messages 3, 4 and 5, in each order, one at a time and several at once.",
                    "After one of these messages, a program generates none of the others; only one is generated where "
                    "several apply.",
                    check_each_of_three),
-      message_case("other_refinement_once", {"chapter-20-16", "chapter-20-19"},
+      message_case("other_refinement_once", {"chapter-20-20", "chapter-20-21"},
                    "Draw with one program and all curved refinements in turn.", "A message for each refinement.",
                    check_other_refinement_once),
-      message_case("not_displaced", {"chapter-20-8", "chapter-20-18", "chapter-20-19"},
+      message_case("not_displaced", {"chapter-20-8", "chapter-20-18", "chapter-20-21"},
                    "Displace with a vertex stage without a normal and a texture coordinate.",
                    "Nothing is displaced, in silence.", check_not_displaced),
   };

@@ -35,8 +35,8 @@ std::vector<DrawNote> draw_notes(const DrawNoteFacts& facts, unsigned bits) {
   if ((bits & ignored_shader_bit) != 0) {
     notes.push_back(
         {MessageId::ignored_shader,
-         "ignores its refinement shader: the vertex stage reads gl_VertexID, gl_BaseVertex or gl_DrawID, so it "
-         "runs on the corners only; give it a vertex attribute instead"});
+         "ignores its refinement shader: the vertex stage reads gl_VertexID, gl_BaseVertex or gl_DrawID, or writes "
+         "gl_CullDistance, so it runs on the corners only; give it a vertex attribute, or gl_ClipDistance, instead"});
   }
   if ((bits & undisplaced_bit) != 0) {
     notes.push_back(

@@ -299,7 +299,7 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
              {.refinement = choice.refinement,
               .fallback = choice.fallback,
               .transparent = env_.options.transparent,
-              .ignores_shader = plan.program->traits.reads_vertex_id && !plan.program->refinement_source.empty(),
+              .ignores_shader = plan.program->traits.corners_only() && !plan.program->refinement_source.empty(),
               .undisplaced = key.displaced && plan.derived->height_map < 0});
   return find_capture(call, key, normal, plan);
 }

@@ -272,8 +272,8 @@ DeriveRequest ProgramBuilder::request_for(core::Program& program, const core::De
   request.creased = traits_.transparent;
   request.provoking_corner = key.provoking_corner;
   request.outputs = {key.flat_colors, key.clamp_colors, words_of_positions(sources_of(program, GL_GEOMETRY_SHADER))};
-  // gl_VertexID has no value between corners. So the stage runs on the corners, and the refinement shader is ignored.
-  if (!key.at_corner && !program.traits.reads_vertex_id) {
+  // Where the stage runs on the corners, the refinement shader is ignored.
+  if (!key.at_corner && !program.traits.corners_only()) {
     request.refinement_source = program.refinement_source;
   }
   if (traits_.transparent && request.refinement_source.empty()) {

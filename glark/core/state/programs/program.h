@@ -33,6 +33,8 @@ std::uint64_t source_hash(const std::vector<StageSource>& stages);
 std::string hash_text(std::uint64_t hash);  // 16 hexadecimal digits
 // The vertex stage may multiply by the matrix of GL_PROJECTION.
 bool reads_conventional_projection(const std::vector<StageSource>& stages);
+// The shaders may write buffers or images. Mistaking another program for such a one only costs what is kept.
+bool may_store(const std::vector<StageSource>& stages);
 
 struct Program {
   // Guards all members: contexts that share the program draw with it in their own threads. Recursive, because programs
@@ -44,7 +46,7 @@ struct Program {
   std::vector<StageSource> stages;
   bool from_binary = false;
   bool linked = true;          // false: GL runs the executable from before the last link, and cannot return to it
-  bool may_store = false;      // its shaders may write buffers
+  bool may_store = false;      // may_store()
   bool prepared = false;       // the next four members are valid
   std::optional<Cause> cause;  // why it cannot be refined
   std::vector<capture::Field> fields;

@@ -25,15 +25,6 @@ std::shared_ptr<const std::string> read_source(const gl::Dispatch& gl, GLuint sh
   return std::make_shared<const std::string>(std::move(source));
 }
 
-// Looks for words that every storing shader needs. Mistaking another shader for a storing one only costs captures.
-bool may_store(const std::vector<StageSource>& stages) {
-  constexpr std::string_view words[] = {"buffer", "image", "atomic", "store"};
-  return std::any_of(stages.begin(), stages.end(), [&](const StageSource& stage) {
-    return std::any_of(std::begin(words), std::end(words),
-                       [&](std::string_view word) { return stage.source->find(word) != std::string::npos; });
-  });
-}
-
 }  // namespace
 
 Programs::Programs(const gl::Dispatch& gl, const Capabilities& capabilities, ShareGroup& share, PendingError& pending,

@@ -18,6 +18,9 @@ struct VertexStageTraits {
   bool writes_flat_outputs = false;
   StageVariation variation;      // of the outputs
   bool writes_integers = false;  // in outputs that are not flat; a geometry shader reads those of every vertex
+
+  // It runs on the corners of the coarse triangles, whatever refinement is wanted.
+  bool corners_only() const { return reads_vertex_id || writes_cull_distance; }
 };
 
 // Traits of the active inputs of the vertex stage.
