@@ -12,8 +12,17 @@ namespace {
 
 constexpr std::array<GLenum, refinement_count> refinements = {GL_LINEAR_INPUTS_ARK, GL_LINEAR_OUTPUTS_ARK,
                                                               GL_CURVED_PN_ARK};
+constexpr std::size_t linear_inputs = 0, curved_triangles = 2;  // in `refinements`
 constexpr std::array<const char*, refinement_count> refinement_names = {"linear inputs", "linear outputs",
                                                                         "curved triangles"};
+
+// The same draw with what an implementation may keep for longest: the refined inputs of a draw that repeats often.
+Combination kept_longest(Combination one, std::size_t turn) {
+  one.history = histories.back();
+  one.refinement = turn % 2 == 0 ? linear_inputs : curved_triangles;
+  one.depths = turn % 4 < 2 ? Depths::uniform : Depths::tags;
+  return one;
+}
 
 }  // namespace
 
@@ -53,6 +62,7 @@ std::vector<Combination> combinations_of(std::size_t change, std::size_t paths) 
     one.depths = static_cast<Depths>((path / refinement_count + digit(depths_names.size())) % depths_names.size());
     one.triangles = sizes[(path / histories.size() + digit(sizes.size())) % sizes.size()];
     all.push_back(one);
+    all.push_back(kept_longest(one, path + change));
   }
   return all;
 }

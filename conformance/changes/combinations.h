@@ -4,7 +4,7 @@
 // In which circumstances a change is tested: the draw, how its depths are chosen, how often it was drawn before, and so
 // on. Most faults need only two circumstances at once (a command and a kind of draw, for example). So the combinations
 // are a covering array of strength 2: each change meets each value of each circumstance, and over all changes each two
-// values meet.
+// values meet. What is kept for longest takes three: each change meets each kind of draw there as well.
 #pragma once
 
 #include <array>
@@ -43,7 +43,7 @@ void set_refinement(const Combination& one);
 // "DrawArrays of 4 triangles, linear inputs, depth tags"
 std::string text_of(const Combination& one);
 
-// The combinations of a change. Changes are numbered from 0; each gets one combination for each path.
+// The combinations of a change. Changes are numbered from 0; each gets two combinations for each path.
 std::vector<Combination> combinations_of(std::size_t change, std::size_t paths);
 
 }  // namespace glark::conformance
