@@ -141,9 +141,16 @@ GLARK_EXPORT Baked bake(const CoarseMesh& mesh, const stream::Source& points, co
 // complete. Errors: Error for files that cannot be written, or a model of more than 4 GiB.
 GLARK_EXPORT void write_model(const std::filesystem::path& file, const Baked& model);
 
+// Returns the normal map in object space, for programs without tangent spaces: [3 * width * height], from -1 to 1 on each
+// axis of the positions, as bytes. Texels more than 4 from all charts have 128 128 128.
+GLARK_EXPORT std::vector<std::uint8_t> object_normals(const Baked& model);
+
 // Writes the maps that are in a model as files beside it: "model.normals.png" and, with colours, "model.colours.png" for
 // "model.glb". Errors: Error for files that cannot be written.
 GLARK_EXPORT void write_pictures(const std::filesystem::path& file, const Baked& model);
+
+// Writes object_normals() beside a model: "model.object_normals.png" for "model.glb". Errors: the same.
+GLARK_EXPORT void write_object_normals(const std::filesystem::path& file, const Baked& model);
 
 }  // namespace glark::maps
 

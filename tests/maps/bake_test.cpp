@@ -52,6 +52,47 @@ Errors errors_of(const Baked& model) {
   return errors;
 }
 
+// The middles of the triangles, where the nearest texel of the map is at most half a texel away.
+TEST(Bake, NormalsInObjectSpace) {
+  const Baked model = bake_bumps();
+  const std::vector<std::uint8_t> map = object_normals(model);
+  ASSERT_EQ(map.size(), model.normal_map.size());
+  const SeenModel seen_model(model);
+  double squared = 0;
+  const std::size_t triangles = model.triangles.size() / 3;
+  for (std::size_t t = 0; t < triangles; ++t) {
+    std::array<double, 2> at{};
+    for (std::size_t k = 0; k < 6; ++k)
+      at.at(k % 2) += static_cast<double>(model.texcoords[2 * std::size_t{model.triangles[3 * t + k / 2]} + k % 2]) / 3;
+    const auto x = static_cast<std::size_t>(at[0] * model.width), y = static_cast<std::size_t>(at[1] * model.height);
+    const std::uint8_t* const texel = &map[3 * (y * model.width + x)];
+    const Precise normal = common::unit(Precise{texel[0] - 127.5, texel[1] - 127.5, texel[2] - 127.5});
+    const Precise expected = bumpy_normal(common::unit(seen_model.at(t, {1.0 / 3, 1.0 / 3, 1.0 / 3}).position));
+    const double degrees = std::acos(std::clamp(common::dot(normal, expected), -1.0, 1.0)) * 180 / std::numbers::pi;
+    EXPECT_LT(degrees, 4) << "triangle " << t;
+    squared += degrees * degrees / static_cast<double>(triangles);
+  }
+  EXPECT_LT(std::sqrt(squared), 1.2);
+}
+
+// A flat square in any direction has one normal in all texels of its chart, and in its gutter.
+TEST(Bake, NormalsInObjectSpaceReachIntoTheGutter) {
+  const std::vector<float> positions = {0, 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1};  // faces +x
+  const std::vector<std::uint32_t> triangles = {0, 1, 2, 0, 2, 3};
+  const FineMesh fine{.positions = positions, .triangles = triangles};
+  const Baked model = bake({.positions = positions, .triangles = triangles}, mesh_source(fine, 0.02));
+  const std::vector<std::uint8_t> map = object_normals(model);
+  std::size_t with_normals = 0;
+  for (std::size_t i = 0; i < map.size(); i += 3) {
+    if (map[i] == 128 && map[i + 1] == 128 && map[i + 2] == 128) continue;
+    ++with_normals;
+    EXPECT_GE(map[i], 254);
+    EXPECT_NEAR(map[i + 1], 127.5, 1.5);
+    EXPECT_NEAR(map[i + 2], 127.5, 1.5);
+  }
+  EXPECT_GT(with_normals, model.texels / 2);
+}
+
 TEST(Bake, DisplacedSurfaceIsTheFineOne) {
   const Baked model = bake_bumps();
   const Errors errors = errors_of(model);

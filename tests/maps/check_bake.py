@@ -164,6 +164,11 @@ class Bake(CommandCase):
         begin = 28 + struct.unpack_from("<I", data, 12)[0] + view.get("byteOffset", 0)
         self.assertEqual(data[begin:begin + view["byteLength"]], (self.path / "model.normals.png").read_bytes())
         self.assertFalse((self.path / "model.colours.png").exists())  # the mesh has no colours
+        self.assertFalse((self.path / "model.object_normals.png").exists())
+        self.glark("bake", self.bumpy(), "-o", "model.glb", "--triangles", "500", "--object-normals")
+        pictures = [(self.path / f"model.{name}.png").read_bytes() for name in ("normals", "object_normals")]
+        self.assertEqual(pictures[0][:26], pictures[1][:26])  # the signature, the size and the format
+        self.assertNotEqual(pictures[0], pictures[1])
 
     def test_a_name_that_is_no_utf8_is_refused_at_once(self):
         command = [GLARK, "bake", str(self.bumpy()), "-o", os.fsdecode(b"out\xff.glb")]

@@ -160,6 +160,17 @@ void require_size(const std::filesystem::path& file, const Baked& model) {
         fmt::format("{} would have more than 4 GiB, which GLB cannot hold; lower the texture memory", file.string()));
 }
 
+void write_picture(std::filesystem::path file, const char* ending, const std::vector<std::uint8_t>& map,
+                   const Baked& model) {
+  try {
+    geometry::OutputFile output(file.replace_extension(ending));
+    output.write(png_of(std::span(map), model.width, model.height));
+    output.commit();
+  } catch (const geometry::Error& error) {
+    throw Error(Element::file, 0, error.what());
+  }
+}
+
 }  // namespace
 
 void write_model(const std::filesystem::path& file, const Baked& model) {
@@ -186,18 +197,12 @@ void write_model(const std::filesystem::path& file, const Baked& model) {
 }
 
 void write_pictures(const std::filesystem::path& file, const Baked& model) {
-  const auto write = [&](const char* ending, const std::vector<std::uint8_t>& map) {
-    std::filesystem::path beside = file;
-    geometry::OutputFile output(beside.replace_extension(ending));
-    output.write(png_of(std::span(map), model.width, model.height));
-    output.commit();
-  };
-  try {
-    write(".normals.png", model.normal_map);
-    if (!model.colour_map.empty()) write(".colours.png", model.colour_map);
-  } catch (const geometry::Error& error) {
-    throw Error(Element::file, 0, error.what());
-  }
+  write_picture(file, ".normals.png", model.normal_map, model);
+  if (!model.colour_map.empty()) write_picture(file, ".colours.png", model.colour_map, model);
+}
+
+void write_object_normals(const std::filesystem::path& file, const Baked& model) {
+  write_picture(file, ".object_normals.png", object_normals(model), model);
 }
 
 }  // namespace glark::maps

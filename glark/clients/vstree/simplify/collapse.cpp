@@ -8,6 +8,7 @@
 #include <limits>
 #include <numeric>
 
+#include "glark/clients/common/mesh/rounded_places.h"
 #include "glark/clients/common/mixed_bits.h"
 #include "glark/clients/vstree/simplify/touching_sheets.h"
 #include "glark/clients/vstree/validation.h"
@@ -35,7 +36,7 @@ namespace {
 constexpr float little = 1e-5F;  // of the longest side
 constexpr int most_tries = 8;    // to avoid edges of more than two triangles
 
-// Points that differ only in their normals are one vertex.
+// Points that differ only in their normals, or by the rounding of their positions along a seam, are one vertex.
 struct Welded {
   std::vector<std::uint32_t> vertex_of;       // [points]; none if no triangle uses the point
   std::vector<float> positions;               // [3 * vertices]
@@ -49,6 +50,7 @@ struct Welded {
 Welded::Welded(const Surface& surface) : vertex_of(surface.size()) {
   const PointSet& from = surface.points;
   std::vector<float> places(from.positions.begin(), from.positions.end());
+  common::join_rounded_places(places, surface.triangles);
   for (float& number : places) number += 0.0F;  // -0 becomes 0; bytes are compared
   std::vector<meshopt_Stream> streams{{places.data(), 3 * sizeof(float), 3 * sizeof(float)}};
   if (!from.colours.empty()) streams.push_back({from.colours.data(), 3, 3});

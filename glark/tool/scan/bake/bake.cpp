@@ -36,7 +36,7 @@ struct Bake {
   CoarseOptions coarse;
   maps::BakeOptions options;
   Memory memory;
-  bool pictures = false;
+  bool pictures = false, object_normals = false;
 };
 
 // The fine surface. Its points are in a file, or in the memory.
@@ -205,6 +205,7 @@ void run(const Bake& command) {
   warn_of_losses(model, command.files.input);
   maps::write_model(command.files.output, model);
   if (command.pictures) maps::write_pictures(command.files.output, model);
+  if (command.object_normals) maps::write_object_normals(command.files.output, model);
   Report report = report_of(model, options.noise);
   report["seconds"] = progress.seconds();
   report["peak_memory_bytes"] = peak_memory();
@@ -220,6 +221,8 @@ void describe(CLI::App& command, Bake& bake) {
   command.add_flag(
       "--png", bake.pictures,
       "Write the normal map and the colour map beside the model, too: MODEL.normals.png, MODEL.colours.png");
+  command.add_flag("--object-normals", bake.object_normals,
+                   "Write the normals in object space beside the model, too: MODEL.object_normals.png");
   command
       .add_option("--mesh", bake.mesh,
                   "The coarse mesh; default: a mesh or reconstruction with fewer triangles, or strips of samples of "

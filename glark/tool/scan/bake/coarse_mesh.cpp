@@ -8,12 +8,12 @@
 #include <glark/stream.h>
 #include <glark/surfel.h>
 
-#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <stdexcept>
 #include <vector>
 
+#include "glark/clients/common/mesh/rounded_places.h"
 #include "glark/clients/geometry/measure/distance.h"
 #include "glark/tool/scan/bake/folds.h"
 #include "glark/tool/scan/console.h"
@@ -57,15 +57,6 @@ void add_triangles(const surfel::Strips& strips, geometry::Geometry& geometry) {
   }
 }
 
-// Where a surface meets itself, programs write both sides from sines and cosines, which differ by rounding: 0 and -2e-16. The
-// coarse mesh would open there. Moves no vertex by more than floats lose at the size of the mesh.
-void close_seams(geometry::Geometry& mesh) {
-  const double diagonal = geometry::diagonal_of(mesh);
-  if (!(diagonal > 0)) return;
-  const double step = std::exp2(std::floor(std::log2(diagonal)) - 24);
-  for (float& x : mesh.positions) x = static_cast<float>(std::round(static_cast<double>(x) / step) * step);
-}
-
 }  // namespace
 
 geometry::Geometry read_coarse_mesh(const std::string& file, const Files& files) {
@@ -91,7 +82,7 @@ geometry::Geometry simplify_to(geometry::Geometry fine, const CoarseOptions& opt
   simplify.max_error = 1;
   fine.colours = {};  // seams of colours would keep vertices
   fine.texture_coordinates = {};
-  close_seams(fine);
+  common::join_rounded_places(fine.positions, fine.triangles);
   geometry::Geometry coarse = simplified(fine, simplify).geometry;
   unfold(coarse);
   return coarse;
