@@ -38,10 +38,11 @@ struct AttributeRoles {
 // How edge depths are measured where the application gives no tags. 0 turns a measure off. With several measures, an
 // edge takes the least depth.
 struct EdgeMeasure {
-  float pixels = 0;     // longest segment of an edge on the screen
-  float degrees = 0;    // greatest angle between the normals at the ends of a segment
-  float error = 0;      // greatest distance of an edge's curve from its segments on the screen, in pixels
-  unsigned budget = 0;  // most refined triangles in a frame; 0: no limit
+  float pixels = 0;      // longest segment of an edge on the screen
+  float degrees = 0;     // greatest angle between the normals at the ends of a segment
+  float error = 0;       // greatest distance of an edge's curve from its segments on the screen, in pixels
+  unsigned budget = 0;   // most refined triangles in a frame; 0: no limit
+  unsigned changes = 0;  // of these values by the application
   bool on() const { return pixels > 0 || degrees > 0 || error > 0; }
   bool operator==(const EdgeMeasure&) const = default;
 };

@@ -274,6 +274,17 @@ const Parameter* find_parameter(GLenum name) {
   return found != all.end() ? &*found : nullptr;
 }
 
+namespace {
+
+// A measure that gets another value, and the old one again, is a change.
+void set(const Parameter& parameter, double value, ArkState& state) {
+  const EdgeMeasure before = state.measure;
+  parameter.set(state, value);
+  state.measure.changes += state.measure == before ? 0 : 1;
+}
+
+}  // namespace
+
 GLenum set_integer(const Parameter& parameter, const ParameterLimits& limits, GLint value, ArkState& state) {
   switch (parameter.kind) {
     case Kind::token:
@@ -293,7 +304,7 @@ GLenum set_integer(const Parameter& parameter, const ParameterLimits& limits, GL
       break;
     case Kind::number: return set_number(parameter, static_cast<GLfloat>(value), state);
   }
-  parameter.set(state, value);
+  set(parameter, value, state);
   return GL_NO_ERROR;
 }
 
@@ -304,7 +315,7 @@ GLenum set_number(const Parameter& parameter, GLfloat value, ArkState& state) {
   if (!std::isfinite(value) || value < parameter.least || value > parameter.most) {
     return GL_INVALID_VALUE;
   }
-  parameter.set(state, static_cast<double>(value));
+  set(parameter, static_cast<double>(value), state);
   return GL_NO_ERROR;
 }
 

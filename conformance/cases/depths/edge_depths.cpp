@@ -247,6 +247,37 @@ void check_geometry_shader(Test& t) {
   t.expect_equal(count_generated(draw), 1U, "triangles where only degrees apply");
 }
 
+// The same with the geometry shader in a program of its own.
+void check_geometry_program(Test& t) {
+  const Pipeline pipeline = bind_pipeline(
+      t,
+      "layout(location = 0) in vec4 position; layout(location = 0) out vec4 between;\n"
+      "void main() { between = vec4(1.0); gl_Position = position; }\n",
+      "layout(location = 0) in vec4 colour; layout(location = 0) out vec4 pixel; void main() { pixel = colour; }\n");
+  const GLuint geometry =
+      separable_program(t, GL_GEOMETRY_SHADER,
+                        "layout(triangles) in; layout(triangle_strip, max_vertices = 3) out;\n"
+                        "in gl_PerVertex { vec4 gl_Position; } gl_in[]; out gl_PerVertex { vec4 gl_Position; };\n"
+                        "layout(location = 0) in vec4 between[]; layout(location = 0) out vec4 colour;\n"
+                        "void main() { for (int i = 0; i < 3; ++i) { gl_Position = gl_in[i].gl_Position;\n"
+                        "  colour = between[i]; EmitVertex(); } EndPrimitive(); }\n");
+  upload(bent_triangle());
+  const auto draw = [] { gl.DrawArrays(GL_TRIANGLES, 0, 3); };
+  measure_by(7, 0);
+  gl.ARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, 2);
+  const GLuint measured = count_generated(draw);
+  if (measured <= 1) t.not_supported("program pipelines are not refined");
+  t.expect(measured > 16, "pixels are measured without a geometry shader");
+  gl.UseProgramStages(pipeline.name, GL_GEOMETRY_SHADER_BIT, geometry);
+  for (const GLint level : {1, 2}) {
+    gl.ARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, level);
+    t.expect_equal(count_generated(draw), GLuint{1} << (2 * level), "triangles where no measure applies");
+  }
+  gl.UseProgramStages(pipeline.name, GL_GEOMETRY_SHADER_BIT, 0);
+  t.expect_equal(count_generated(draw), measured, "triangles without the geometry shader again");
+  t.expect_no_error("the pipelines");
+}
+
 GLuint triangles_in_a_frame(Test& t, const Mesh& mesh) {
   GLuint query = 0;
   GLuint count = 0;
@@ -310,7 +341,11 @@ constexpr BudgetChange budget_changes[] = {
     {"other degrees", [] { gl.ARKParameteriARK(GL_EDGE_DEGREES_ARK, 3); }},
     {"no degrees", [] { gl.ARKParameteriARK(GL_EDGE_DEGREES_ARK, 0); }},
     {"another error", [] { gl.ARKParameterfARK(GL_SCREEN_ERROR_ARK, 0.01F); }},
-    {"no error", [] { gl.ARKParameterfARK(GL_SCREEN_ERROR_ARK, 0); }}};
+    {"no error", [] { gl.ARKParameterfARK(GL_SCREEN_ERROR_ARK, 0); }},
+    {"other pixels, and the same as before", [] {
+       gl.ARKParameteriARK(GL_EDGE_PIXELS_ARK, 2);
+       gl.ARKParameteriARK(GL_EDGE_PIXELS_ARK, 3);
+     }}};
 
 // With c = 1, triangles are those of the same measures without a budget. Each change has new buffers.
 void check_budget_changes(Test& t) {
@@ -381,6 +416,10 @@ Cases edge_depths_cases() {
                             "Pixels are measured in spite of the geometry shader.", check_geometry_shader),
                  depth_case("measured.neither", {"11.R.4-26"}, "No measure, or degrees without a normal.",
                             "Depth 0; tags.", check_neither)};
+  cases.push_back(optional(depth_case("measured.geometry_program", {"11.R.4-4", "11.R.4-26"},
+                                      "The same in a program pipeline, with the geometry shader in its own program.",
+                                      "Only the vertex program is asked for a geometry shader.", check_geometry_program,
+                                      desktop_apis)));
   cases.push_back(depth_case("measured.indexed_viewports", {"11.R.4-5"},
                              "The same triangle after every command that sets one of several viewports.",
                              "Only Viewport is noticed; the viewport of another index counts.", check_indexed_viewports,

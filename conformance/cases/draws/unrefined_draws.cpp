@@ -235,6 +235,31 @@ void check_subroutines(Test& t) {
   t.expect_same_picture(picture_of(draw), expected, "subroutines, refined or not", 2, 12);
 }
 
+// The vertex stage may be executed any number of times, but what it draws is the same.
+void check_stores(Test& t) {
+  GLint counters = 0;
+  gl.GetIntegerv(GL_MAX_VERTEX_ATOMIC_COUNTERS, &counters);
+  if (counters < 1) t.not_supported("no atomic counters in the vertex stage");
+  gl.UseProgram(build_program(
+      t, {.vertex = "layout(binding = 0) uniform atomic_uint executed;\n"
+                    "layout(location = 0) in vec4 position; layout(location = 3) in vec4 c; out vec4 colour;\n"
+                    "void main() { atomicCounterIncrement(executed); colour = c; gl_Position = position; }\n"}));
+  const GLuint zero = 0;
+  GLuint buffer = 0;
+  gl.GenBuffers(1, &buffer);
+  gl.BindBufferBase(GL_ATOMIC_COUNTER_BUFFER, 0, buffer);
+  gl.BufferData(GL_ATOMIC_COUNTER_BUFFER, sizeof(zero), &zero, GL_DYNAMIC_COPY);
+  upload(one_triangle());
+  const auto draw = [] { gl.DrawArrays(GL_TRIANGLES, 0, 3); };
+  const Picture expected = picture_of(draw);
+  refine_uniformly(3);
+  t.expect_same_picture(picture_of(draw), expected, "a stage that counts, refined or not", 2, 12);
+  t.expect_no_error("the draws");
+  GLuint executed = 0;
+  gl.GetBufferSubData(GL_ATOMIC_COUNTER_BUFFER, 0, sizeof(executed), &executed);
+  t.expect(executed >= 4, "the stage was executed in both draws: " + as_text(executed) + " times");
+}
+
 void check_depth_0(Test& t, GLenum refinement) {
   gl.UseProgram(build_program(
       t, {.vertex = "layout(location = 0) in vec4 position; layout(location = 3) in vec4 c; out vec4 colour;\n"
@@ -299,12 +324,15 @@ Cases unrefined_draws_cases() {
            "Nothing is drawn.", [](Test& t) { check_bad_refinement_shader(t, "float other() { return 1.0; }"); }),
       optional(made("assembly", {"programs-1", "11.R.11-5"}, "VERTEX_PROGRAM_ARB is enabled.",
                     "The fixed-function vertex stage is refined instead.", check_assembly, compat_only)),
-      made("pipeline", {"11.R.11-6"}, "A program pipeline object; the draw may be refined or not.", "Nothing is drawn.",
-           check_pipeline),
-      made("doubles", {"11.R.11-6"}, "Double-precision inputs; the draw may be refined or not.", "They read as 0.",
+      made("pipeline", {"11.R.11-10"}, "A program pipeline object; the draw may be refined or not.",
+           "Nothing is drawn.", check_pipeline),
+      made("doubles", {"11.R.11-10"}, "Double-precision inputs; the draw may be refined or not.", "They read as 0.",
            check_doubles, desktop_apis),
-      made("subroutines", {"11.R.11-6"}, "Subroutines; the draw may be refined or not.", "Nothing is drawn.",
+      made("subroutines", {"11.R.11-10"}, "Subroutines; the draw may be refined or not.", "Nothing is drawn.",
            check_subroutines, desktop_apis),
+      optional(made("stores", {"11.R.11-10", "11.R.10-8"},
+                    "A vertex stage with an atomic counter; the draw may be refined or not.",
+                    "Nothing is drawn; the stage is executed in one of the draws only.", check_stores, desktop_apis)),
       made("depth_0.inputs", {"11.R.11-8"}, "With UNIFORM_DEPTH_LEVEL_ARK of 0, the bits are the same.",
            "Last bits of colors change.", [](Test& t) { check_depth_0(t, GL_LINEAR_INPUTS_ARK); }),
       made("depth_0.outputs", {"11.R.11-8"}, "The same with LINEAR_OUTPUTS_ARK.", "Last bits of colors change.",

@@ -277,6 +277,66 @@ void check_feedback_mode(Test& t) {
   gl.EndTransformFeedback();
 }
 
+// What GL refuses while feedback is active and not paused, it refuses between refined draws as well.
+void check_feedback_errors(Test& t) {
+  const GLuint program = capture_program(t);
+  const GLuint other = capture_program(t);
+  gl.UseProgram(program);
+  upload(bent_mesh());
+  refine_uniformly(2);
+  std::array<GLuint, 2> objects{};
+  gl.GenTransformFeedbacks(2, objects.data());
+  for (const GLuint object : objects) gl.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, object);
+  gl.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, objects[0]);
+  GLuint buffer = 0;
+  gl.GenBuffers(1, &buffer);
+  gl.BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer);
+  gl.BufferData(GL_TRANSFORM_FEEDBACK_BUFFER, 100000, nullptr, GL_STREAM_READ);
+  GLuint query = 0;
+  gl.GenQueries(1, &query);
+  gl.BeginQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, query);
+  gl.BeginTransformFeedback(GL_TRIANGLES);
+  const auto integer = [](GLenum name) {
+    GLint value = -1;
+    gl.GetIntegerv(name, &value);
+    return static_cast<GLuint>(value);
+  };
+  for (const char* const when : {"before the first draw", "after a refined draw"}) {
+    gl.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, objects[1]);
+    t.expect_error(GL_INVALID_OPERATION, std::string("BindTransformFeedback ") + when);
+    t.expect_equal(integer(GL_TRANSFORM_FEEDBACK_BINDING), objects[0], "the feedback that is bound");
+    gl.UseProgram(other);
+    t.expect_error(GL_INVALID_OPERATION, std::string("UseProgram ") + when);
+    t.expect_equal(integer(GL_CURRENT_PROGRAM), program, "the program in use");
+    gl.LinkProgram(program);
+    t.expect_error(GL_INVALID_OPERATION, std::string("LinkProgram ") + when);
+    gl.BindProgramPipeline(0);
+    t.expect_error(GL_INVALID_OPERATION, std::string("BindProgramPipeline ") + when);
+    gl.BeginTransformFeedback(GL_TRIANGLES);
+    t.expect_error(GL_INVALID_OPERATION, std::string("BeginTransformFeedback ") + when);
+    t.expect_equal(integer(GL_TRANSFORM_FEEDBACK_PAUSED), 0U, "the feedback is not paused");
+    draw_two();
+    t.expect_no_error("a refined draw");
+  }
+  gl.PauseTransformFeedback();
+  t.expect_equal(integer(GL_TRANSFORM_FEEDBACK_PAUSED), 1U, "the feedback is paused");
+  gl.UseProgram(other);
+  gl.UseProgram(program);
+  t.expect_no_error("UseProgram while the feedback is paused");
+  gl.LinkProgram(program);
+  t.expect_error(GL_INVALID_OPERATION, "LinkProgram while the feedback is paused");
+  gl.ResumeTransformFeedback();
+  draw_two();
+  gl.EndTransformFeedback();
+  gl.EndQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN);
+  GLuint written = 0;
+  gl.GetQueryObjectuiv(query, GL_QUERY_RESULT, &written);
+  t.expect_equal(written, 3U * 32U, "captured triangles");
+  gl.LinkProgram(program);
+  gl.UseProgram(other);
+  t.expect_no_error("LinkProgram and UseProgram after the feedback");
+}
+
 // A geometry shader makes a line, or a point, of each refined triangle.
 void check_other_feedback(Test& t, GLenum mode) {
   const bool has_lines = mode == GL_LINES;
@@ -349,6 +409,9 @@ Cases after_vertex_stage_cases() {
                  "The draw is not refined.", [](Test& t) { check_other_feedback(t, GL_LINES); }),
       after_case("feedback.points", {"chapter-14-5", "chapter-14-6"}, "The same with points.",
                  "The draw is not refined.", [](Test& t) { check_other_feedback(t, GL_POINTS); }),
+      after_case("feedback.errors", {"10.R.2-13", "chapter-14-6"},
+                 "While refined triangles are captured, call what GL refuses then: other objects, programs, links.",
+                 "No error, because the implementation pauses the feedback between its draws.", check_feedback_errors),
       after_case("feedback.mode", {"chapter-14-6"},
                  "Triangles are an error in transform feedback of lines, refined and unrefined; so are lines in "
                  "transform feedback of triangles.",

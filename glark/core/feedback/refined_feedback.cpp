@@ -47,6 +47,7 @@ bool RefinedFeedback::begin(GLenum mode) {
   programs_.use_application();
   set_program(plan.derived);
   in_use_.mode = mode;
+  in_use_.owner = plan.owner != nullptr ? plan.owner->name : 0;
   in_use_.has_captured = false;
   return true;
 }

@@ -35,9 +35,11 @@ class RefinedFeedback {
 
   bool ours() const { return in_use_.ours(); }
   bool watches_draws() const { return ours() || awaited_ != GL_NONE; }
-  // Returns whether a draw in this mode is an error. The driver cannot see this error, because we pause the feedback
-  // between our draws.
+  // The driver cannot see the errors of an active feedback, because we pause ours between our draws. These return
+  // whether there is one: a draw in this mode; a call that needs a paused feedback; linking this program.
   bool refuses(GLenum mode) const;
+  bool captures() const { return in_use_.captures(env_.bindings()) && env_.bindings().transform_feedback.active; }
+  bool refuses_link(GLuint program) const { return ours() && in_use_.owner != 0 && in_use_.owner == program; }
 
  private:
   // Returns whether the program in use can be bound again after another one.

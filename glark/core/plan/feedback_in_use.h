@@ -13,6 +13,7 @@ namespace glark::core {
 struct FeedbackInUse {
   std::shared_ptr<DerivedProgram> program;  // all captured draws use it; null: the application's feedback is left to GL
   GLenum mode = GL_NONE;
+  GLuint owner = 0;  // the application's program that it was derived from; 0: fixed function
   bool has_captured = false;
 
   bool ours() const { return program != nullptr; }

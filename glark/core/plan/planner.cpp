@@ -215,14 +215,14 @@ std::optional<Cause> Planner::choose_wanted(DrawPlan& plan) const {
   return std::nullopt;
 }
 
-bool Planner::can_measure(const Program& program) const {
-  return core::can_measure(edge_measure(env_.options, env_.ark), program,
+bool Planner::can_measure(const Program& program, const PipelineObject* pipeline) const {
+  return core::can_measure(edge_measure(env_.options, env_.ark), program, pipeline,
                            !env_.state.programs().subroutines().choice().empty());
 }
 
 void Planner::choose_depths(const DrawCall& call, DrawPlan& plan) const {
   const FeedbackInUse& feedback = parts_.feedback;
-  DepthFacts facts{.options = env_.options, .ark = env_.ark, .measurable = can_measure(*plan.program)};
+  DepthFacts facts{.options = env_.options, .ark = env_.ark, .measurable = can_measure(*plan.program, plan.pipeline)};
   if (takes_tags(facts)) {
     const auto tag_slot = static_cast<int>(env_.ark.tag_attribute);
     facts.tags_vary = call.tags_vary || feedback.tagged() || env_.state.arrays().attribute_source(tag_slot).enabled;
@@ -402,7 +402,7 @@ std::optional<Cause> Planner::find_screen_program(DrawPlan& plan, const DerivedK
   if (wanted.degrees > 0) {
     plan.depth.normal_offset = capture::normal_offset(plan.capture.layout->fields);
   }
-  if (measures_screen(wanted, *plan.program)) {
+  if (measures_screen(wanted, *plan.program, plan.pipeline)) {
     DerivedKey at_points = key;
     at_points.at_points = true;
     at_points.morphing = false;
@@ -435,7 +435,7 @@ std::shared_ptr<DerivedProgram> Planner::derive_for_status(Program& program, Pro
     return nullptr;
   }
   const bool tagged = !env_.options.transparent && env_.ark.depth_source == DepthSource::tag;
-  const bool placed = tagged || can_measure(program);
+  const bool placed = tagged || can_measure(program, nullptr);
   const Refinement wanted = wanted_refinement(env_.options, env_.ark);
   return parts_.programs.derived().find(
       program, owner,

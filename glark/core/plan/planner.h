@@ -67,7 +67,7 @@ class Planner {
                                     DrawPlan& plan);
   void choose_weld(DrawPlan& plan, DerivedKey& key, std::uint64_t triangles);
   std::optional<Cause> find_screen_program(DrawPlan& plan, const DerivedKey& key);
-  bool can_measure(const Program& program) const;
+  bool can_measure(const Program& program, const PipelineObject* pipeline) const;
   bool smooth() const;
   void decide_again(const DrawCall& call, Purpose purpose, Decision& decision);
   std::shared_ptr<DerivedProgram> derived(const DrawPlan& plan, const DerivedKey& key);

@@ -5,9 +5,25 @@
 #include "glark/core/track/track.h"
 
 namespace glark::core {
+
+bool track::refused_while_capturing(Context& c) {
+  if (c.stages() == nullptr || !c.stages()->feedback().ours() || c.state().lists().compiling()) {
+    return false;
+  }
+  c.state().refresh();
+  if (!c.stages()->feedback().captures()) {
+    return false;
+  }
+  c.pending_error().raise(GL_INVALID_OPERATION);
+  return true;
+}
+
 namespace hook {
 
 void BindTransformFeedback(Context& c, GLenum target, GLuint id) {
+  if (track::refused_while_capturing(c)) {
+    return;
+  }
   c.gl().BindTransformFeedback(target, id);
   c.state().forget_bindings();  // another object may be active or paused
 }
@@ -20,6 +36,10 @@ void DeleteTransformFeedbacks(Context& c, GLsizei n, const GLuint* ids) {
 void BeginTransformFeedback(Context& c, GLenum mode) {
   if (c.capabilities().refinable) {
     c.state().refresh();
+    if (c.state().bindings().transform_feedback.active) {
+      c.pending_error().raise(GL_INVALID_OPERATION);
+      return;
+    }
     c.stages()->feedback().room().note();
   }
   if (!c.refining() || c.options().transparent || !c.stages()->feedback().begin(mode)) {

@@ -24,6 +24,10 @@ void refine(Context& context, const DrawCall& call);
 void leave(Context& context, const DrawCall& call, Cause cause);
 void hand_back_feedback(Context& context);
 
+// A call that GL refuses while transform feedback is active and not paused. Returns whether it is one now, and raises
+// GL_INVALID_OPERATION if so. GL does not: our feedback is paused between our draws.
+bool refused_while_capturing(Context& context);
+
 // GL has executed a glEnd.
 void primitive_ended(Context& context);
 // glMaterial, perhaps between glBegin and glEnd.

@@ -133,22 +133,22 @@ TEST(DepthChoice, TheMeasureIsTheUsersOrTheApplications) {
 TEST(DepthChoice, TheScreenIsMeasuredBeforeNoGeometryShader) {
   Program program;
   give_stage(program, GL_VERTEX_SHADER);
-  EXPECT_TRUE(can_measure({.pixels = 8}, program, false));
+  EXPECT_TRUE(can_measure({.pixels = 8}, program, nullptr, false));
   give_stage(program, GL_GEOMETRY_SHADER);
-  EXPECT_FALSE(can_measure({.pixels = 8}, program, false));
+  EXPECT_FALSE(can_measure({.pixels = 8}, program, nullptr, false));
 }
 
 TEST(DepthChoice, NormalsAreMeasuredWhereThereAreAny) {
   Program program;
-  EXPECT_FALSE(can_measure({.degrees = 20}, program, false));
+  EXPECT_FALSE(can_measure({.degrees = 20}, program, nullptr, false));
   give_normal(program);
-  EXPECT_TRUE(can_measure({.degrees = 20}, program, false));
-  EXPECT_FALSE(can_measure({}, program, false));
+  EXPECT_TRUE(can_measure({.degrees = 20}, program, nullptr, false));
+  EXPECT_FALSE(can_measure({}, program, nullptr, false));
 }
 
 TEST(DepthChoice, ProgramsThatChooseSubroutinesAreNotMeasured) {
   const Program program;
-  EXPECT_FALSE(can_measure({.pixels = 8}, program, true));
+  EXPECT_FALSE(can_measure({.pixels = 8}, program, nullptr, true));
 }
 
 }  // namespace

@@ -30,7 +30,8 @@ TEST(StoringPrograms, BlocksCountersAndImages) {
 
 TEST(StoringPrograms, NamesAndCommentsAreNoStores) {
   EXPECT_FALSE(stores("uniform sampler2D image; uniform samplerBuffer texels; in vec4 stored_colour, buffer0;"));
-  EXPECT_FALSE(stores("uniform image2D picture; void main() { colour = imageLoad(picture, ivec2(imageSize(picture))); }"));
+  EXPECT_FALSE(
+      stores("uniform image2D picture; void main() { colour = imageLoad(picture, ivec2(imageSize(picture))); }"));
   EXPECT_FALSE(stores("// imageStore would write a buffer\nvoid main() {}"));
   EXPECT_FALSE(stores("/* a buffer,\n an imageStore */ void main() {} // buffer"));
   EXPECT_FALSE(stores("void main() {} /* buffer"));

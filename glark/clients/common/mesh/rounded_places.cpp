@@ -84,8 +84,7 @@ class Chosen {
 std::size_t join_rounded_places(std::span<float> positions, std::span<const std::uint32_t> triangles) {
   const float side = longest_side(positions);
   if (!(side > 0) || triangles.empty()) return 0;
-  const std::vector<std::uint32_t> opposites =
-      opposite_of({triangles.begin(), triangles.end()}, positions.size() / 3);
+  const std::vector<std::uint32_t> opposites = opposite_of({triangles.begin(), triangles.end()}, positions.size() / 3);
   std::vector<bool> is_boundary(positions.size() / 3);
   for (std::uint32_t i = 0; i < opposites.size(); ++i)
     if (opposites[i] == no_half_edge) is_boundary[triangles[i]] = is_boundary[triangles[next_corner(i)]] = true;

@@ -127,7 +127,8 @@ class Turning {
     const Vector local{from[0] / middle - 1, from[1] / middle - 1, from[2] / middle - 1};
     const Vector normal = common::unit(frame.to_world(local));
     for (std::size_t k = 0; k < 3; ++k)
-      result_[3 * texel + k] = static_cast<std::uint8_t>(std::lround(std::clamp(middle * (normal[k] + 1), 0.0F, 255.0F)));
+      result_[3 * texel + k] =
+          static_cast<std::uint8_t>(std::lround(std::clamp(middle * (normal[k] + 1), 0.0F, 255.0F)));
   }
 
   const Baked& model_;

@@ -52,14 +52,15 @@ EdgeMeasure edge_measure(const ContextOptions& options, const ArkState& ark) {
 }
 
 // If there is a geometry shader, the vertex stage may not know where its vertices are on the screen.
-bool measures_screen(const EdgeMeasure& wanted, const Program& program) {
-  return (wanted.pixels > 0 || wanted.error > 0) && !program.has_stage(GL_GEOMETRY_SHADER);
+bool measures_screen(const EdgeMeasure& wanted, const Program& program, const PipelineObject* pipeline) {
+  const bool has_geometry = pipeline != nullptr ? pipeline->geometry() != 0 : program.has_stage(GL_GEOMETRY_SHADER);
+  return (wanted.pixels > 0 || wanted.error > 0) && !has_geometry;
 }
 
-bool can_measure(const EdgeMeasure& wanted, const Program& program, bool subroutines) {
+bool can_measure(const EdgeMeasure& wanted, const Program& program, const PipelineObject* pipeline, bool subroutines) {
   // The program of the corners would have to choose the same subroutines.
-  return !subroutines &&
-         (measures_screen(wanted, program) || (wanted.degrees > 0 && capture::normal_offset(program.fields) >= 0));
+  return !subroutines && (measures_screen(wanted, program, pipeline) ||
+                          (wanted.degrees > 0 && capture::normal_offset(program.fields) >= 0));
 }
 
 bool has_cubic_edges(const Program& program, const DerivedProgram& derived) {

@@ -7,15 +7,17 @@
 #include "glark/core/ark_state.h"
 #include "glark/core/depth/depth_plan.h"
 #include "glark/core/state/programs/program.h"
+#include "glark/core/state/programs/program_pipelines.h"
 
 namespace glark::core {
 
 // The measure that applies: the user's in transparent refinement, else the application's. If it is off, depths are not
 // measured.
 EdgeMeasure edge_measure(const ContextOptions& options, const ArkState& ark);
-// Returns whether that measure applies to the program. `subroutines`: the program in use has chosen subroutines.
-bool can_measure(const EdgeMeasure& wanted, const Program& program, bool subroutines);
-bool measures_screen(const EdgeMeasure& wanted, const Program& program);
+// Returns whether that measure applies to the program. `pipeline`: the program pipeline it is drawn with, or null.
+// `subroutines`: the program in use has chosen subroutines.
+bool can_measure(const EdgeMeasure& wanted, const Program& program, const PipelineObject* pipeline, bool subroutines);
+bool measures_screen(const EdgeMeasure& wanted, const Program& program, const PipelineObject* pipeline);
 
 // Returns whether the edges of refined triangles are cubics on their way to the screen, or of a lesser degree.
 bool has_cubic_edges(const Program& program, const DerivedProgram& derived);

@@ -23,6 +23,7 @@ struct PipelineObject {
   std::array<GLuint, pipeline_stages.size()> programs{};  // in the order of pipeline_stages; 0: none
   GLuint active = 0;                                      // glUniform* sets its uniforms
   GLuint vertex() const { return programs.front(); }
+  GLuint geometry() const { return programs[3]; }
   GLuint tessellation() const { return programs[1] != 0 ? programs[1] : programs[2]; }
 };
 

@@ -47,6 +47,9 @@ bool use_known(Context& c, GLuint program) {
 namespace hook {
 
 void UseProgram(Context& c, GLuint program) {
+  if (track::refused_while_capturing(c)) {
+    return;
+  }
   c.gl().UseProgram(program);
   if (!follow_change(c)) {
     return;
@@ -70,6 +73,9 @@ void UniformSubroutinesuiv(Context& c, GLenum type, GLsizei count, const GLuint*
 }
 
 void BindProgramPipeline(Context& c, GLuint pipeline) {
+  if (track::refused_while_capturing(c)) {
+    return;
+  }
   c.gl().BindProgramPipeline(pipeline);
   if (!follow_change(c)) {
     return;

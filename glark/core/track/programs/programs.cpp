@@ -15,6 +15,15 @@
 namespace glark::core {
 namespace {
 
+// The program is one that transform feedback captures from. GL sees a program of ours there. Raises the error of GL.
+bool refused_while_it_captures(Context& c, GLuint program) {
+  const bool refuses = c.stages() != nullptr && c.stages()->feedback().refuses_link(program);
+  if (refuses) {
+    c.pending_error().raise(GL_INVALID_OPERATION);
+  }
+  return refuses;
+}
+
 GLint register_virtual_uniform(Context& c, Program& program, const GLchar* name) {
   const std::lock_guard lock(program.mutex);
   const std::shared_ptr<DerivedProgram> derived = c.stages()->planner().derive_for_status(program, &program);
@@ -54,6 +63,9 @@ void SpecializeShader(Context& c, GLuint shader, const GLchar* entry_point, GLui
 }
 
 void LinkProgram(Context& c, GLuint program) {
+  if (refused_while_it_captures(c, program)) {
+    return;
+  }
   c.gl().LinkProgram(program);
   c.state().programs().linked(program);
 }
@@ -61,6 +73,9 @@ void LinkProgram(Context& c, GLuint program) {
 // A binary of a program that was linked here brings its sources with it. Any other binary has none. Transparent
 // refinement refuses it, which OpenGL 4.6, 7.5 allows at any time: applications then compile their shaders again.
 void ProgramBinary(Context& c, GLuint program, GLenum format, const void* binary, GLsizei length) {
+  if (refused_while_it_captures(c, program)) {
+    return;
+  }
   std::vector<StageSource> stages = c.share().binaries.find(binary, length);
   if (stages.empty() && c.options().transparent && c.capabilities().refinable && length > 0) {
     constexpr std::array<unsigned char, 64> no_binary{};

@@ -69,6 +69,15 @@ void correct_list_index(const Context& c, GLenum name, Value* data) {
   }
 }
 
+// Between our draws, GL's transform feedback is paused, and the application's is not.
+template <typename Value>
+void correct_paused_feedback(const Context& c, GLenum name, Value* data) {
+  if (name == GL_TRANSFORM_FEEDBACK_PAUSED && data != nullptr && c.stages() != nullptr &&
+      c.stages()->feedback().captures()) {
+    *data = 0;
+  }
+}
+
 template <typename Value>
 void correct_extension_count(const Context& c, GLenum name, Value* data) {
   if (name == GL_NUM_EXTENSIONS && c.capabilities().refinable && data != nullptr) {
@@ -82,6 +91,7 @@ void get(Context& c, GLenum name, Value* data, const Function& from_gl) {
     from_gl(name, data);
     correct_extension_count(c, name, data);
     correct_list_index(c, name, data);
+    correct_paused_feedback(c, name, data);
   }
 }
 
@@ -110,6 +120,7 @@ namespace hook {
 void GetBooleanv(Context& c, GLenum name, GLboolean* data) {
   if (!answer(c, name, data)) {
     c.gl().GetBooleanv(name, data);
+    correct_paused_feedback(c, name, data);
   }
 }
 
