@@ -58,9 +58,10 @@ inline constexpr std::uint32_t no_picture = 0xFFFFFFFF;
 
 // A fine mesh. The caller owns the arrays, which must live as long as sources of it.
 struct FineMesh {
-  std::array<double, 3> origin{};                 // added to all positions
-  std::span<const float> positions = {};          // [3 * vertices]
-  std::span<const float> normals = {};            // [3 * vertices], or empty: those of the triangles
+  std::array<double, 3> origin{};         // added to all positions
+  std::span<const float> positions = {};  // [3 * vertices]
+  // [3 * vertices], or empty: means of the triangles' normals. Triangles that meet in more than 40 degrees keep a crease.
+  std::span<const float> normals = {};
   std::span<const std::uint8_t> colours = {};     // [3 * vertices], red green blue; or empty
   std::span<const std::uint32_t> triangles = {};  // [3 * triangles]
   // Pictures that give the colours of triangles, in place of `colours`. Beyond texture coordinates of 0 to 1, a picture

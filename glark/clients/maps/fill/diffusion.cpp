@@ -16,24 +16,39 @@ namespace glark::maps {
 namespace {
 
 constexpr int finest_sweeps = 2;
+// Cycles that change the values hardly less than the cycles before do not converge, or take too long.
+constexpr unsigned cycles_to_judge = 6;
+constexpr float slow = 0.5F;             // of the change so many cycles ago
+constexpr float part_of_a_step = 0.02F;  // of what conjugate gradients have still to change
+
+struct Cycles {
+  unsigned iterations = 0;
+  bool has_converged = true;
+};
 
 // Fills the channels from `first` on. The lists and levels are made.
 template <unsigned channels>
-Diffusion fill_channels(const Raster& raster, unsigned first, const DiffusionOptions& options, const TexelLists& lists,
-                        CoarseLevels& levels) {
+Cycles fill_channels(const Raster& raster, unsigned first, const DiffusionOptions& options, const TexelLists& lists,
+                     CoarseLevels& levels) {
   constexpr unsigned blocks = blocks_of(channels);
   FinestLevel<channels> finest(raster.values.data() + first, raster.channels, lists, raster.weights);
-  Diffusion done;
+  Cycles done;
   finest.fill_single();
   if (lists.inner.empty() && lists.border.empty()) return done;
   finest.find_range();
-  levels.clear_right_sides<blocks>();
-  finest.restrict_samples(levels.first());
-  levels.solve<blocks>(Solution::values);
-  finest.set(levels.first());
-  for (int sweep = 0; sweep < finest_sweeps; ++sweep) finest.smooth();
+  const auto begin = [&] {
+    levels.clear_right_sides<blocks>();
+    finest.restrict_samples(levels.first());
+    levels.solve<blocks>(Solution::values);
+    finest.set(levels.first());
+    for (int sweep = 0; sweep < finest_sweeps; ++sweep) finest.smooth();
+  };
+  begin();
   done.has_converged = false;
-  for (done.iterations = 1; done.iterations < options.max_iterations && !done.has_converged; ++done.iterations) {
+  std::vector<float> changes;
+  bool is_slow = false;
+  for (done.iterations = 1; done.iterations < options.max_iterations && !done.has_converged && !is_slow;
+       ++done.iterations) {
     levels.clear_right_sides<blocks>();
     finest.restrict_residuals(levels.first());
     levels.solve<blocks>(Solution::correction);
@@ -41,11 +56,14 @@ Diffusion fill_channels(const Raster& raster, unsigned first, const DiffusionOpt
     for (int sweep = 1; sweep < finest_sweeps; ++sweep) finest.smooth();
     change = std::max(change, finest.smooth_and_measure());
     done.has_converged = change <= options.tolerance;
+    is_slow = changes.size() >= cycles_to_judge && change > slow * changes[changes.size() - cycles_to_judge];
+    changes.push_back(change);
   }
+  if (!done.has_converged) begin();  // the cycles may have made the values worse
   return done;
 }
 
-using FillChannels = Diffusion (*)(const Raster&, unsigned, const DiffusionOptions&, const TexelLists&, CoarseLevels&);
+using FillChannels = Cycles (*)(const Raster&, unsigned, const DiffusionOptions&, const TexelLists&, CoarseLevels&);
 constexpr FillChannels fill_functions[most_channels_at_once] = {fill_channels<1>, fill_channels<2>, fill_channels<3>,
                                                                 fill_channels<4>, fill_channels<5>, fill_channels<6>,
                                                                 fill_channels<7>, fill_channels<8>};
@@ -69,9 +87,11 @@ Diffusion Diffuser::fill(const Raster& raster, const DiffusionOptions& options) 
   }
   for (unsigned first = 0; first < raster.channels; first += most_channels_at_once) {
     const unsigned count = std::min(raster.channels - first, most_channels_at_once);
-    const Diffusion part = fill_functions[count - 1](raster, first, options, lists_, levels_);
+    const Cycles part = fill_functions[count - 1](raster, first, options, lists_, levels_);
     all.iterations = std::max(all.iterations, part.iterations);
-    all.has_converged = all.has_converged && part.has_converged;
+    for (unsigned channel = 0; channel < count && !part.has_converged; channel += 4)
+      all.gradient_steps = std::max(
+          all.gradient_steps, gradients_.improve(raster, first + channel, lists_, part_of_a_step * options.tolerance));
   }
   return all;
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "glark/clients/maps/fill/coarse_levels.h"
+#include "glark/clients/maps/fill/gradients.h"
 #include "glark/clients/maps/fill/texel_lists.h"
 
 namespace glark::maps {
@@ -26,9 +27,9 @@ struct DiffusionOptions {
 };
 
 struct Diffusion {
-  std::size_t filled = 0;     // texels that had no sample, and have values now
-  unsigned iterations = 0;    // multigrid cycles; 0 where no texel without a sample has a neighbour without one
-  bool has_converged = true;  // false: the last cycle changed values by more than the tolerance
+  std::size_t filled = 0;       // texels that had no sample, and have values now
+  unsigned iterations = 0;      // multigrid cycles; 0 where no texel without a sample has a neighbour without one
+  unsigned gradient_steps = 0;  // of conjugate gradients, where multigrid did not converge
 };
 
 // Keeps its memory, so that filling many charts does not allocate. Each thread needs an object of its own.
@@ -41,6 +42,7 @@ class Diffuser {
  private:
   TexelLists lists_;
   CoarseLevels levels_;
+  Gradients gradients_;
 };
 
 // The same, for a single chart.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 #include "glark/clients/common/vector.h"
@@ -91,12 +92,14 @@ MeshPoints::MeshPoints(const FineMesh& mesh, double spacing, std::string name)
     for (const char* colour : {"red", "green", "blue"}) schema_.channels.push_back({colour, stream::Number::uint8});
   first_.push_back(vertices_);
   constexpr double most_parts = 4096;  // of an edge
+  const double density = density_of_pixels();
   for (std::size_t t = 0; t < mesh.triangles.size() / 3; ++t) {
     double longest = 0;
     for (std::size_t k = 0; k < 3; ++k)
       longest = std::max(longest, common::length(vector_at(mesh.positions, mesh.triangles[3 * t + (k + 1) % 3]) -
                                                  vector_at(mesh.positions, mesh.triangles[3 * t + k])));
-    const double wanted = std::max(std::ceil(longest / spacing), parts_for_pixels(t));
+    const double pixels = std::min(pixels_of(t), density * area_of(t));
+    const double wanted = std::max(std::ceil(longest / spacing), std::ceil(std::sqrt(pixels)));
     const double parts = std::isfinite(longest) ? std::clamp(wanted, 1.0, most_parts) : 1;
     parts_.push_back(static_cast<std::uint16_t>(parts));
     first_.push_back(first_.back() + std::uint64_t{parts_.back()} * parts_.back());
@@ -113,9 +116,37 @@ const Picture* MeshPoints::picture_of(std::size_t triangle) const {
   return &mesh_.pictures[mesh_.triangle_pictures[triangle]];
 }
 
-double MeshPoints::parts_for_pixels(std::size_t triangle) const {
+double MeshPoints::area_of(std::size_t triangle) const {
+  const std::uint32_t* const corners = &mesh_.triangles[3 * triangle];
+  const Precise a = vector_at(mesh_.positions, corners[0]);
+  const double area = common::length(common::cross(vector_at(mesh_.positions, corners[1]) - a,
+                                                   vector_at(mesh_.positions, corners[2]) - a)) /
+                      2;
+  return std::isfinite(area) ? area : 0;
+}
+
+double MeshPoints::density_of_pixels() const {
+  constexpr double most_pixels = 1 << 24;
+  constexpr double everything = std::numeric_limits<double>::max();
+  const auto samples_with = [&](double density) {
+    double sum = 0;
+    for (std::size_t t = 0; t < mesh_.triangle_pictures.size(); ++t)
+      sum += std::min(pixels_of(t), density * area_of(t));
+    return sum;
+  };
+  if (samples_with(everything) <= most_pixels) return everything;
+  double low = 0, high = 1;
+  while (samples_with(high) < most_pixels && high < everything / 4) high *= 4;
+  for (int i = 0; i < 40; ++i) {
+    const double middle = (low + high) / 2;
+    (samples_with(middle) < most_pixels ? low : high) = middle;
+  }
+  return low;
+}
+
+double MeshPoints::pixels_of(std::size_t triangle) const {
   const Picture* const picture = picture_of(triangle);
-  if (picture == nullptr || mesh_.texcoords.empty()) return 1;
+  if (picture == nullptr || mesh_.texcoords.empty()) return 0;
   const auto corner = [&](std::size_t k) {
     const std::size_t at = 2 * std::size_t{mesh_.triangles[3 * triangle + k]};
     return std::array<double, 2>{static_cast<double>(mesh_.texcoords[at]) * picture->width,
@@ -123,7 +154,7 @@ double MeshPoints::parts_for_pixels(std::size_t triangle) const {
   };
   const std::array a = corner(0), b = corner(1), c = corner(2);
   const double pixels = std::abs((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])) / 2;
-  return std::isfinite(pixels) ? std::ceil(std::sqrt(pixels)) : 1;
+  return std::isfinite(pixels) ? pixels : 0;
 }
 
 // The colour of the triangle's picture, or that of its vertices; white without both.
@@ -146,6 +177,49 @@ std::array<double, 3> MeshPoints::colour(std::size_t triangle, const std::array<
   return colour;
 }
 
+// A surface without normals is smooth where its triangles meet in small angles. At a crease, the normal of a corner is
+// the mean of those triangles at its vertex that are on the same side of the crease.
+void MeshPoints::add_crease_normals() {
+  constexpr double cosine_of_crease = 0.7660444431189780;  // 40 degrees
+  const std::size_t corners = mesh_.triangles.size();
+  std::vector<common::Vector3f> directions(corners / 3);  // unit normals of the triangles
+  for (std::size_t t = 0; t < directions.size(); ++t) {
+    const Precise a = vector_at(mesh_.positions, mesh_.triangles[3 * t]);
+    const Precise normal = common::unit(common::cross(vector_at(mesh_.positions, mesh_.triangles[3 * t + 1]) - a,
+                                                      vector_at(mesh_.positions, mesh_.triangles[3 * t + 2]) - a));
+    directions[t] = {static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z)};
+  }
+  const auto meet = [&](std::size_t a, std::size_t b) {
+    const auto cosine = static_cast<double>(common::dot(directions[a], directions[b]));
+    return cosine >= cosine_of_crease || common::is_zero(directions[a]) || common::is_zero(directions[b]);
+  };
+  std::vector<std::uint32_t> begins(vertices_ + 1), order(corners);  // the corners of each vertex
+  for (const std::uint32_t vertex : mesh_.triangles) ++begins[vertex + 1];
+  for (std::size_t i = 0; i < vertices_; ++i) begins[i + 1] += begins[i];
+  std::vector<std::uint32_t> next(begins.begin(), begins.end() - 1);
+  for (std::uint32_t i = 0; i < corners; ++i) order[next[mesh_.triangles[i]]++] = i;
+  for (std::uint32_t i = 0; i < corners; ++i) {
+    const std::span<const std::uint32_t> around(
+        &order[begins[mesh_.triangles[i]]],
+        &order[begins[mesh_.triangles[i]]] + begins[mesh_.triangles[i] + 1] - begins[mesh_.triangles[i]]);
+    if (std::all_of(around.begin(), around.end(), [&](std::uint32_t other) { return meet(i / 3, other / 3); }))
+      continue;
+    common::Vector3f sum{};
+    for (const std::uint32_t other : around)
+      if (meet(i / 3, other / 3)) sum += directions[other / 3] * static_cast<float>(area_of(other / 3));
+    const common::Vector3f normal = common::unit(sum);
+    creased_.push_back(i);
+    normals_.insert(normals_.end(), {normal.x, normal.y, normal.z});
+  }
+}
+
+const float* MeshPoints::normal_at(std::size_t corner) const {
+  const auto at = std::lower_bound(creased_.begin(), creased_.end(), corner);
+  if (at != creased_.end() && *at == corner)
+    return &normals_[3 * (vertices_ + static_cast<std::size_t>(at - creased_.begin()))];
+  return &normals_[3 * std::size_t{mesh_.triangles[corner]}];
+}
+
 // Vertices without a normal get the mean normal of their triangles.
 void MeshPoints::add_vertex_normals() {
   normals_.resize(3 * vertices_);
@@ -164,6 +238,7 @@ void MeshPoints::add_vertex_normals() {
     const Precise normal = common::unit(sums[i]);
     for (std::size_t k = 0; k < 3; ++k) normals_[3 * i + k] = static_cast<float>(normal[k]);
   }
+  add_crease_normals();
 }
 
 void MeshPoints::seek(std::uint64_t point) {
@@ -190,7 +265,9 @@ stream::Points MeshPoints::read(std::size_t most) {
 void MeshPoints::add_point(std::uint64_t index) {
   if (index < vertices_) {
     const auto vertex = static_cast<std::uint32_t>(index);
-    add_mean(triangle_of_.empty() ? no_picture : triangle_of_[vertex], {vertex, vertex, vertex}, {1, 0, 0});
+    const float* const normal = &normals_[3 * std::size_t{vertex}];
+    add_mean(triangle_of_.empty() ? no_picture : triangle_of_[vertex], {vertex, vertex, vertex},
+             {normal, normal, normal}, {1, 0, 0});
     return;
   }
   const auto above = std::upper_bound(first_.begin(), first_.end(), index);
@@ -207,17 +284,17 @@ void MeshPoints::add_point(std::uint64_t index) {
   const double second = (static_cast<double>(pair) + third) / parts;
   const double first = (static_cast<double>(row) + (place % 2 == 0 ? 2 / 3.0 : 1 / 3.0)) / parts - second;
   add_mean(t, {mesh_.triangles[3 * t], mesh_.triangles[3 * t + 1], mesh_.triangles[3 * t + 2]},
-           {1 - first - second, first, second});
+           {normal_at(3 * t), normal_at(3 * t + 1), normal_at(3 * t + 2)}, {1 - first - second, first, second});
 }
 
 void MeshPoints::add_mean(std::size_t triangle, const std::array<std::uint32_t, 3>& corners,
-                          const std::array<double, 3>& weights) {
+                          const std::array<const float*, 3>& normals, const std::array<double, 3>& weights) {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     double position = mesh_.origin[axis];
     double normal = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       position += weights[k] * static_cast<double>(mesh_.positions[3 * std::size_t{corners[k]} + axis]);
-      normal += weights[k] * static_cast<double>(normals_[3 * std::size_t{corners[k]} + axis]);
+      normal += weights[k] * static_cast<double>(normals[k][axis]);
     }
     positions_.push_back(position);
     out_normals_.push_back(static_cast<float>(normal));
