@@ -5,7 +5,10 @@
 #include <glark/maps.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <numbers>
+#include <numeric>
 #include <random>
 
 #include "tests/maps/bumpy_sphere.h"
@@ -73,6 +76,64 @@ TEST(Bake, NormalsInObjectSpace) {
     squared += degrees * degrees / static_cast<double>(triangles);
   }
   EXPECT_LT(std::sqrt(squared), 1.2);
+}
+
+// Only one side of a ball has points: blue ones, and red ones at their edge. The other side is red, too, and has not the
+// mean of all colours.
+TEST(Bake, ChartsWithoutPointsHaveTheColoursOfTheirNeighbours) {
+  const Sphere fine = sphere_of(6, false), coarse = sphere_of(2, false);
+  std::vector<float> positions, normals;
+  std::vector<std::uint8_t> colours;
+  for (std::size_t i = 0; i < fine.positions.size(); i += 3) {
+    if (fine.positions[i] < 0.75F) continue;
+    positions.insert(positions.end(), &fine.positions[i], &fine.positions[i] + 3);
+    normals.insert(normals.end(), &fine.normals[i], &fine.normals[i] + 3);
+    const bool is_blue = fine.positions[i] > 0.85F;
+    colours.insert(colours.end(), {std::uint8_t(is_blue ? 0 : 220), 0, std::uint8_t(is_blue ? 220 : 0)});
+  }
+  const Baked model =
+      bake(coarse.coarse(), mesh_source({.positions = positions, .normals = normals, .colours = colours}, 1));
+  ASSERT_GT(model.empty_charts, 0U);
+  const SeenModel seen_model(model);
+  for (std::size_t t = 0; t < model.triangles.size() / 3; ++t) {
+    const Seen seen = seen_model.at(t, {0.4, 0.3, 0.3});
+    if (seen.position.x > -0.3) continue;
+    EXPECT_GT(seen.colour[0], 0.7) << "triangle " << t;
+    EXPECT_LT(seen.colour[2], 0.15) << "triangle " << t;
+  }
+}
+
+// Without normals, the fine mesh is smooth where its triangles meet in small angles, and has creases elsewhere.
+TEST(Bake, CreasesOfAFineMeshWithoutNormals) {
+  const std::vector<float> positions = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0, 1, 1, 0, 1, 1, 1, 1, 0, 1, 1};
+  const std::vector<std::uint32_t> box = {0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7, 0, 1, 5, 0, 5, 4,
+                                          1, 2, 6, 1, 6, 5, 2, 3, 7, 2, 7, 6, 3, 0, 4, 3, 4, 7};
+  const auto reader = mesh_source({.positions = positions, .triangles = box}, 0.1).open({});
+  const stream::Points points = reader->read(100000);
+  ASSERT_GT(points.normals.size(), 3000U);
+  for (std::size_t i = 24; i < points.normals.size(); i += 3) {  // after those of the vertices
+    const auto [least, most] = std::minmax_element(&points.normals[i], &points.normals[i] + 3,
+                                                   [](float a, float b) { return std::abs(a) < std::abs(b); });
+    EXPECT_NEAR(std::abs(*most), 1, 1e-5F);
+    EXPECT_NEAR(*least, 0, 1e-5F);
+  }
+}
+
+// A picture that repeats ten thousand times on a square does not take a sample for each pixel.
+TEST(Bake, PicturesThatRepeatOftenTakeNoMoreSamplesThanSixteenMillion) {
+  const std::vector<std::uint8_t> pixels(3 * 64 * 64, 100);
+  const Picture picture{64, 64, pixels};
+  const std::vector<float> positions = {0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 2, 0, 0, 2, 1, 0};
+  const std::vector<float> texcoords = {0, 0, 1000, 0, 1000, 1000, 0, 1000, 1001, 0, 1001, 1};
+  const std::vector<std::uint32_t> triangles = {0, 1, 2, 0, 2, 3, 1, 4, 5};
+  const std::vector<std::uint32_t> pictures = {0, 0, no_picture};
+  FineMesh fine{.positions = positions, .triangles = triangles};
+  fine.pictures = {&picture, 1};
+  fine.triangle_pictures = pictures;
+  fine.texcoords = texcoords;
+  const std::uint64_t count = mesh_source(fine, 0.5).open({})->count().value_or(0);
+  EXPECT_LT(count, (std::uint64_t{1} << 24) + 20000);
+  EXPECT_GT(count, std::uint64_t{1} << 23);
 }
 
 // A flat square in any direction has one normal in all texels of its chart, and in its gutter.

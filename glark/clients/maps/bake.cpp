@@ -155,12 +155,12 @@ class Baker {
     model_.empty_charts = empty;
   }
 
-  // Charts without points get the mean colour of all others.
+  // Charts without points get the colours of their neighbours, or the mean colour of all charts.
   void set_colours_of_empty_charts() {
     if (channels_ != channels_with_colour) return;
     std::array<double, 3> sum{};
     double count = 0;
-    std::vector<std::size_t> empty;
+    std::vector<bool> is_empty(maps_.size());
     for (std::size_t c = 0; c < maps_.size(); ++c) {
       const ChartMap& map = maps_[c];
       const double before = count;
@@ -170,13 +170,14 @@ class Baker {
           sum[k] += static_cast<double>(map.values[at * channels_ + colour_channel + k]);
         ++count;
       }
-      if (count == before) empty.push_back(c);
+      is_empty[c] = count == before;
     }
     if (count == 0) return;
-    for (const std::size_t c : empty)
-      for (std::size_t at = 0; at < maps_[c].weights.size(); ++at)
+    for (std::size_t c = 0; c < maps_.size(); ++c)
+      for (std::size_t at = 0; is_empty[c] && at < maps_[c].weights.size(); ++at)
         for (std::size_t k = 0; k < 3; ++k)
           maps_[c].values[at * channels_ + colour_channel + k] = static_cast<float>(sum[k] / count);
+    spread_colours(surface_, charts_, atlas_, maps_, is_empty);
   }
 
   // Normals in tangent space, of unit length. Scans without normals get those of the displaced surface.

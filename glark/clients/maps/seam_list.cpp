@@ -2,7 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "glark/clients/maps/seam_list.h"
 
+#include <algorithm>
+#include <array>
+#include <map>
+
 #include "glark/clients/maps/charts/segmentation.h"
+#include "glark/clients/maps/fill/diffusion.h"
+#include "glark/clients/maps/seams/samples.h"
 #include "glark/clients/maps/seams/seams.h"
 
 namespace glark::maps {
@@ -53,12 +59,59 @@ class Collector {
   std::vector<std::uint32_t> chart_of_;
 };
 
+constexpr unsigned colours = 3;
+
+std::vector<ChartImage> images_of(std::vector<ChartMap>& maps) {
+  std::vector<ChartImage> images;
+  for (ChartMap& map : maps) images.push_back({map.width, map.height, map.values});
+  return images;
+}
+
+// Adds the colours of one side of the seam to the map of the other side.
+void add_colours(const std::vector<ChartImage>& images, const Seam& seam, ChartMap& to) {
+  constexpr float samples_per_texel = 2;
+  for_samples(images, seam, samples_per_texel, [&](float t, const BilinearSample& from, const BilinearSample&) {
+    std::array<float, colours> colour{};
+    for (std::size_t i = 0; i < 4; ++i)
+      for (unsigned k = 0; k < colours; ++k)
+        colour[k] +=
+            from.weights[i] * images[seam.a.chart].values[from.texels[i] * channels_with_colour + colour_channel + k];
+    to.add({seam.b.from[0] + (seam.b.to[0] - seam.b.from[0]) * t, seam.b.from[1] + (seam.b.to[1] - seam.b.from[1]) * t},
+           colour);
+  });
+}
+
 }  // namespace
+
+void spread_colours(const Surface& surface, const std::vector<Chart>& charts, const Atlas& atlas,
+                    std::vector<ChartMap>& maps, std::vector<bool>& is_empty) {
+  const SeamList list = Collector(surface, charts, atlas).list();
+  const std::vector<ChartImage> images = images_of(maps);
+  Diffuser diffuser;
+  std::map<std::uint32_t, ChartMap> found;
+  do {
+    found.clear();
+    for (const Seam& seam : list.seams) {
+      if (is_empty[seam.a.chart] == is_empty[seam.b.chart]) continue;
+      const Seam inwards = is_empty[seam.a.chart] ? Seam{seam.b, seam.a} : seam;
+      ChartMap& map = found[inwards.b.chart];
+      if (map.weights.empty()) map.resize(atlas.places[inwards.b.chart], colours);
+      add_colours(images, inwards, map);
+    }
+    for (auto& [c, map] : found) {
+      map.divide(colours);
+      if (diffuser.fill({map.width, map.height, colours, map.values, map.weights}).filled == map.weights.size())
+        continue;  // no sample had enough weight
+      for (std::size_t at = 0; at < map.weights.size(); ++at)
+        std::copy_n(&map.values[at * colours], colours, &maps[c].values[at * channels_with_colour + colour_channel]);
+    }
+    for (const auto& [c, map] : found) is_empty[c] = false;
+  } while (!found.empty());
+}
 
 void equalise_seams(const Surface& surface, const std::vector<Chart>& charts, const Atlas& atlas, unsigned channels,
                     std::vector<ChartMap>& maps) {
-  std::vector<ChartImage> images;
-  for (ChartMap& map : maps) images.push_back({map.width, map.height, map.values});
+  const std::vector<ChartImage> images = images_of(maps);
   const SeamList list = Collector(surface, charts, atlas).list();
   equalise(images, channels, list.seams, {.levels = kept_levels, .first_level_channel = height_channel}, list.frames);
 }

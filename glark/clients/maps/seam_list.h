@@ -13,4 +13,9 @@ namespace glark::maps {
 void equalise_seams(const Surface& surface, const std::vector<Chart>& charts, const Atlas& atlas, unsigned channels,
                     std::vector<ChartMap>& maps);
 
+// Gives charts without points the colours of their neighbours, from the edges that they share into their middle.
+// is_empty: [charts]. Charts that touch no chart with points stay empty.
+void spread_colours(const Surface& surface, const std::vector<Chart>& charts, const Atlas& atlas,
+                    std::vector<ChartMap>& maps, std::vector<bool>& is_empty);
+
 }  // namespace glark::maps

@@ -145,7 +145,7 @@ void warn_of_losses(const maps::Baked& model, const std::string& file) {
     warn(fmt::format("{}: {} points with NaN or infinite coordinates are left out", file, model.invalid));
   if (model.empty_charts > 0)
     warn(fmt::format(
-        "{}: {} of {} charts of the coarse mesh have no points; they stay flat, with the mean colour of the others",
+        "{}: {} of {} charts of the coarse mesh have no points; they stay flat, with the colours of their neighbours",
         file, model.empty_charts, model.charts));
 }
 
