@@ -6,6 +6,7 @@
 
 #include "glark/clients/stream/files/names.h"
 #include "glark/clients/stream/files/require_other_file.h"
+#include "glark/clients/stream/format/layouts.h"
 #include "glark/clients/stream/refine/index_text.h"
 #include "glark/clients/stream/sample/sample_and_publish.h"
 #include "glark/clients/stream/write/writers.h"
@@ -27,6 +28,10 @@ void require_passes(const fs::path& large) {
 // What is wrong with the name of the output is said before the work.
 void require_writable(const fs::path& small) {
   require_streamed_ending(small);
+  if (format_of(small, "") == ".stl")
+    throw Error(Element::file, 0,
+                small.string() +
+                    ": an STL file has triangles only, and samples are points; use .ply, .las, .xyz, .pts or .raw");
   std::error_code error;
   const fs::path folder = small.parent_path();
   if (!folder.empty() && !fs::is_directory(folder, error))

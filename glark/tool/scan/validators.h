@@ -20,9 +20,9 @@ namespace glark::tool {
 inline constexpr int largest_side = 16384;  // of a picture or window, in pixels
 
 // Accepts numbers above 0 that a float can hold, up to the limit of the libraries.
-inline CLI::Validator above_zero() {
-  return {[](std::string& text) -> std::string {
-            constexpr double low = std::numeric_limits<float>::min(), high = 1e18;
+inline CLI::Validator above_zero(double high = 1e18) {
+  return {[high](std::string& text) -> std::string {
+            constexpr double low = std::numeric_limits<float>::min();
             double value = 0;
             const bool good = CLI::detail::lexical_cast(text, value) && value >= low && value <= high;
             return good ? "" : fmt::format("\"{}\" is not a number above 0 ({:.2g} to {})", text, low, high);
@@ -46,8 +46,8 @@ inline CLI::Validator whole_above_zero() {
 
 // Accepts a size in bytes above 0, as 1000000, 64MB or 1.5GB, and turns it into a whole number. K, M, G and T are powers of
 // 1024.
-inline CLI::Validator bytes_above_zero() {
-  return {[](std::string& text) -> std::string {
+inline CLI::Validator bytes_above_zero(std::uint64_t least = 1) {
+  return {[least](std::string& text) -> std::string {
             constexpr std::string_view units = "kmgt";
             std::string wrong = "\"" + text + "\" is not a size above 0, as 64MB or 1.5GB";
             const std::size_t digits = std::min(text.find_first_not_of("0123456789."), text.size());
@@ -60,6 +60,7 @@ inline CLI::Validator bytes_above_zero() {
               if (unit == "ib") unit.clear();
             }
             if ((!unit.empty() && unit != "b") || !(value >= 1 && value < 0x1p63)) return wrong;
+            if (value < static_cast<double>(least)) return fmt::format("\"{}\" is less than {} bytes", text, least);
             text = std::to_string(static_cast<std::uint64_t>(value));
             return {};
           },

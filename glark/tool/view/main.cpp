@@ -56,7 +56,9 @@ void describe(CLI::App& command, View& view) {
       ->type_name("OUT.mp4|OUT.gif");
   command.add_option("--frames", view.frames, "Pictures of the film, 30 a second; default 120")
       ->check(CLI::Range(1, 100000));
-  command.add_option("--offscreen", view.picture, "Write a picture and exit; needs no display")->type_name("OUT.png");
+  command.add_option("--offscreen", view.picture, "Write a picture and exit; needs no display")
+      ->type_name("OUT.png")
+      ->excludes("--turntable");
   command
       .add_option("--mode", options.mode,
                   "splat, strip (strips of the points; of a file with strips or triangles, these), mesh, wireframe, "

@@ -29,12 +29,14 @@ constexpr double samples_a_vertex = 2;  // of a fine mesh, at least: triangles a
 
 // A reconstruction is nearer to noisy scans than strips, but takes longer and keeps all points in the memory.
 constexpr std::size_t most_reconstructed = 4000000;
+constexpr double most_texels = 64;  // of the surface for each point
 
 struct Bake {
   Files files;
   std::string mesh;
   CoarseOptions coarse;
   maps::BakeOptions options;
+  std::optional<double> noise;  // empty: measured
   Memory memory;
   bool pictures = false, object_normals = false;
 };
@@ -189,7 +191,7 @@ void run(const Bake& command) {
   const geometry::Geometry mesh = coarse_mesh(command, *fine, noise);
   require_coarse(mesh, command);
   maps::BakeOptions options = command.options;
-  if (command.options.noise == 0) options.noise = noise;
+  options.noise = command.noise.value_or(noise);
   options.threads = command.coarse.threads;
   options.skip_invalid = command.files.skip_invalid;
   Progress progress("baking " + command.files.input);
@@ -232,22 +234,25 @@ void describe(CLI::App& command, Bake& bake) {
       .add_option(
           "--triangles", bake.coarse.triangles,
           fmt::format("The most triangles of the coarse mesh without --mesh; default {}", bake.coarse.triangles))
-      ->transform(whole_above_zero());
+      ->transform(whole_above_zero())
+      ->excludes("--mesh");
+  constexpr std::uint64_t least_maps = std::uint64_t{1} << 20;
   command
       .add_option("--texture-memory", bake.options.texture_memory,
                   "The most memory of the maps with mipmaps, as 64MB or 1GB; default 128MB")
-      ->transform(bytes_above_zero())
+      ->transform(bytes_above_zero(least_maps))
       ->type_name("BYTES");
   command
-      .add_option("--texels-per-point", bake.options.texels_per_point,
-                  fmt::format("Texels for each point, up to 64; default {}", bake.options.texels_per_point))
-      ->check(above_zero());
+      .add_option(
+          "--texels-per-point", bake.options.texels_per_point,
+          fmt::format("Texels for each point, up to {}; default {}", most_texels, bake.options.texels_per_point))
+      ->check(above_zero(most_texels));
   command
       .add_option(
-          "--noise", bake.options.noise,
+          "--noise", bake.noise,
           "The root mean square noise of the points, as a length: texels are 3.5 times as wide or more; default: "
           "measured where points are reconstructed, otherwise 0")
-      ->check(above_zero());
+      ->check(between(0, 1e18));
   command
       .add_option("--reach", bake.options.reach,
                   "Leave out points farther than this from the coarse mesh; default: six times the root mean square "

@@ -59,8 +59,10 @@ void add_transfer(CLI::App& app) {
   command->add_option("-o,--output", edit->output, "The file to write, in the format of LARGE")
       ->type_name("OUT")
       ->required();
-  command->add_option("--neighbours", options.neighbours,
-                      "Samples that a point follows, 3 to 64; more make colours smoother; default 12");
+  command
+      ->add_option("--neighbours", options.neighbours,
+                   "Samples that a point follows, 3 to 64; more make colours smoother; default 12")
+      ->check(between(3, 64));
   command->add_flag("--sharp", options.singular, "Keep sharp borders of colours");
   command->add_option("--threads", options.threads,
                       "Most threads; default: all of the machine. The result is the same");
