@@ -7,6 +7,7 @@ check_mpi.py GLARK_SCAN GLARK_MPI
 import json
 import os
 import pathlib
+import re
 import shutil
 import signal
 import subprocess
@@ -26,7 +27,8 @@ except ImportError:
 import scans
 
 PROGRAM, MPI_PROGRAM = "", ""
-POINTS, TARGET = 70000, 1500
+POINTS, LARGE, TARGET = 70000, 160000, 1500  # LARGE: more points than 40 MiB have room for
+OF_MPI = 14 << 20  # bytes of memory
 RANKS = (1, 2, 3, 4)
 # Containers often forbid the fast way between processes of one machine, and mpirun would say so. It also looks for
 # graphics cards through X, whose server may end meanwhile.
@@ -95,6 +97,50 @@ class Ranks(unittest.TestCase):
     def test_transfer_to_las(self):
         self.check_transfer(scans.write_las(self.path / "scan.las", scans.bumpy_sphere(POINTS)))
 
+    def check_sample(self, scan: pathlib.Path, *more, in_core: bool = False, shuffled: bool = False):
+        arguments = ["sample", scan, "--memory", "40MiB", "--json", *more]
+        wanted = self.path / "wanted.ply"
+        said = json.loads(self.one(*arguments, "-o", wanted).stdout)
+        self.assertEqual((in_core, shuffled), (said["in_core"], said["shuffled"]), scan)
+        for ranks in RANKS:
+            with self.subTest(scan=scan.name, ranks=ranks):
+                output = self.path / f"{ranks}.ply"
+                report = json.loads(self.all(ranks, *arguments, "-o", output).stdout)
+                self.assertTrue(output.read_bytes() == wanted.read_bytes())
+                self.assertEqual(pathlib.Path(f"{wanted}.cells").read_text(), pathlib.Path(f"{output}.cells").read_text())
+                for name in ("points", "samples", "cells", "in_core", "shuffled"):
+                    self.assertEqual(said[name], report[name])
+                self.assertLess(report["peak_memory_bytes"], said["peak_memory_bytes"] + OF_MPI)
+        self.require_nothing_left()
+
+    def test_sample_of_points(self):
+        rings = scans.write_raw(self.path / "rings.raw", scans.bumpy_sphere(LARGE))
+        self.check_sample(rings, "--target", TARGET)
+        self.check_sample(rings, "--error", "1e-3")
+        shuffled = scans.write_raw(self.path / "shuffled.raw", scans.bumpy_sphere(LARGE, shuffled=True))
+        self.check_sample(shuffled, "--target", TARGET, shuffled=True)
+
+    def test_sample_of_meshes(self):
+        self.check_sample(scans.write_ply(self.path / "mesh.ply", scans.bumpy_sphere(LARGE), faces=True), "--target", TARGET)
+        self.check_sample(scans.write_ply(self.path / "few.ply", scans.bumpy_sphere(5), faces=True), "--target", 3, in_core=True)
+
+    def test_sample_of_las(self):
+        self.check_sample(scans.write_las(self.path / "scan.las", scans.bumpy_sphere(LARGE)), "--target", TARGET)
+
+    def test_sample_of_text(self):
+        text = self.path / "scan.xyz"
+        numpy.savetxt(text, scans.bumpy_sphere(POINTS), "%.6f")
+        self.check_sample(text, "--target", TARGET)
+
+    def test_the_manual_has_every_option(self):
+        page = (pathlib.Path(__file__).parents[2] / "docs/man/glark-mpi.1").read_text().replace("\\-", "-")
+        for command in ("sample", "transfer"):
+            said = self.all(2, command, "--help").stdout
+            options = re.findall(r"^\s+(?:-\w,)?(--[\w-]+)", said, re.MULTILINE)
+            self.assertGreater(len(options), 6)
+            self.assertEqual(len(options), len(set(options)), "only one rank explains")
+            self.assertEqual([], [name for name in options if name not in page and name != "--help"])
+
     def check_complaint(self, said: str, *words: str):
         self.assertEqual(1, len(complaints(said)), said)
         for word in words:
@@ -108,6 +154,8 @@ class Ranks(unittest.TestCase):
         with open(scan, "r+b") as file:
             file.truncate(scan.stat().st_size - 1000)
         self.check_complaint(self.all(3, *arguments, "-o", output, status=1).stderr, "scan.ply", "(rank 0 of 3)")
+        self.assertEqual("old", output.read_text())
+        self.check_complaint(self.all(2, "sample", scan, "-o", output, "--target", 9, status=1).stderr, "scan.ply")
         self.assertEqual("old", output.read_text())
         self.check_complaint(self.all(2, *arguments[:4], status=2).stderr, "--to is required")
 

@@ -35,6 +35,12 @@ void require_no_problem(Ranks& ranks, const std::string& problem) {
 
 void together(Ranks& ranks, const std::function<void()>& step) { require_no_problem(ranks, problem_of(step)); }
 
+void require_same(Ranks& ranks, std::uint64_t number, const std::string& file) {
+  const std::vector<std::uint64_t> numbers = share(ranks, number);
+  if (std::all_of(numbers.begin(), numbers.end(), [&](std::uint64_t other) { return other == numbers[0]; })) return;
+  throw RanksError(file + ": is not the same file for all ranks; put it on a file system that all of them share");
+}
+
 void broadcast(Ranks& ranks, std::vector<char>& bytes, std::size_t from) {
   const std::size_t size = ranks.size(), place = (ranks.rank() + size - from) % size;
   const std::uint64_t count = share(ranks, bytes.size())[from];

@@ -32,7 +32,10 @@ std::string problem_of(const std::function<void()>& step);
 // Throws RanksError on all ranks if some rank has a problem.
 void require_no_problem(Ranks& ranks, const std::string& problem);
 
-// Gives what rank 0 has to all ranks. The others' bytes are replaced. Based on: binomial trees, log2(ranks) messages in a
+// Throws RanksError if the number, which tells about a file, is not the same on all ranks.
+void require_same(Ranks& ranks, std::uint64_t number, const std::string& file);
+
+// Gives what a rank has to all ranks. The others' bytes are replaced. Based on: binomial trees, log2(ranks) messages in a
 // row.
 void broadcast(Ranks& ranks, std::vector<char>& bytes, std::size_t from = 0);
 

@@ -81,21 +81,12 @@ class SharedOutput {
   std::optional<TemporaryFile> file_;
 };
 
-void require_same_file(Ranks& ranks, const EditedScan& scan) {
-  const std::vector<std::uint64_t> sizes = share(ranks, scan.file().size());
-  together(ranks, [&] {
-    if (sizes[0] != scan.file().size())
-      throw Error(Element::file, 0,
-                  scan.file().name() + ": is not the same file for all ranks; put it where all see it");
-  });
-}
-
 }  // namespace
 
 TransferReport transfer(Ranks& ranks, const TransferFiles& files, const TransferOptions& options) {
   std::unique_ptr<EditedScan> scan;
   together(ranks, [&] { scan = std::make_unique<EditedScan>(files, options); });
-  require_same_file(ranks, *scan);
+  require_same(ranks, scan->file().size(), scan->file().name());
   SharedOutput output(ranks, files.output, options.work, *scan);
   const RankRange range = range_of(ranks, scan->records(), records_a_step);
   EditedBox box;
