@@ -184,14 +184,24 @@ class Ranks(unittest.TestCase):
         children = pathlib.Path(f"/proc/{launcher.pid}/task/{launcher.pid}/children")
         return [int(word) for word in children.read_text().split()]
 
+    def has_begun(self, rank: int) -> bool:
+        """Whether a rank has files open in the folder of the test: the scan, at least."""
+        try:
+            return any(os.readlink(file).startswith(str(self.path)) for file in pathlib.Path(f"/proc/{rank}/fd").iterdir())
+        except OSError:  # files come and go
+            return False
+
     def kill_a_rank(self, command: list) -> int:
-        """Kills the last rank when the work has begun. Returns the status of mpirun."""
+        """Kills the last rank when its work has begun. Returns the status of mpirun."""
         launcher = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, env=ENVIRONMENT)
         until = time.monotonic() + LIMIT
-        while not list(self.path.glob("*.partial/*")) and launcher.poll() is None and time.monotonic() < until:
+        while launcher.poll() is None and time.monotonic() < until:
+            if ranks := self.ranks_of(launcher):
+                if self.has_begun(ranks[-1]):
+                    time.sleep(0.1)  # into the work
+                    os.kill(ranks[-1], signal.SIGKILL)
+                    break
             time.sleep(0.002)
-        if launcher.poll() is None:
-            os.kill(self.ranks_of(launcher)[-1], signal.SIGKILL)
         return launcher.wait(timeout=LIMIT)
 
     def test_a_killed_rank_leaves_the_old_output(self):
@@ -202,6 +212,10 @@ class Ranks(unittest.TestCase):
         self.assertEqual("old", output.read_text())
         self.all(2, *arguments, "-o", output)
         self.assertEqual(scan.stat().st_size, output.stat().st_size)
+        small = self.path / "small.ply"
+        small.write_text("old")
+        self.assertNotEqual(0, self.kill_a_rank(with_ranks(3, "sample", scan, "-o", small, "--target", TARGET)))
+        self.assertEqual("old", small.read_text())
         self.require_nothing_left()
 
 

@@ -125,7 +125,7 @@ class RanksSampling : public TemporaryFolder {
     options.memory = std::size_t{40} << 20;
     options.allow_in_core = false;
     options.threads = 1;
-    const SampleReport alone = sample_file(file, path("alone.ply"), options);
+    SampleReport alone = sample_file(file, path("alone.ply"), options);
     for (const std::size_t size : sizes) {
       run_ranks(size, [&](Ranks& ranks) {
         const SampleReport report = sample_file(ranks, {file, path("ranks.ply"), {}, {}}, options);

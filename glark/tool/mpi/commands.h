@@ -14,7 +14,7 @@ namespace glark::tool {
 void add_sample(CLI::App& app, MpiRanks& ranks);
 void add_transfer(CLI::App& app, MpiRanks& ranks);
 
-// Adds what the ranks have sent, and the most memory of a rank. Rank 0 prints the report.
+// Adds what the ranks have sent, and the most memory and CPU time of a rank. Rank 0 prints the report.
 void print_of_all(MpiRanks& ranks, Report report, bool json);
 
 }  // namespace glark::tool
