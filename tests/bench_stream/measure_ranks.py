@@ -21,11 +21,11 @@ import scans
 TARGET, THREADS = 20000, ["--threads", "1"]
 ENVIRONMENT = dict(os.environ, OMPI_MCA_btl_vader_single_copy_mechanism="none", OMPI_MCA_mpi_yield_when_idle="1",
                    HWLOC_COMPONENTS="-gl")
-# Bytes of what ranks send: a point, a cube of the first pass, the root of a tree, a number of a cell, a sample.
+# Bytes that ranks send: for a point, a cube of the first pass, the root of a tree, a number of a cell, a sample.
 STREAMED, SHUFFLED, CUBE, ROOT, NUMBER, SAMPLE = 40, 28, 32, 272, 16, 48
 CLASSES = 8 << 18  # bytes of the counts of errors
 PIECE = 1 << 14  # points: ranges begin at multiples of it
-# What the model assumes of a cluster: bytes a second of the network and of the disk of a rank, and of the shared file
+# Assumptions about a cluster: bytes a second of the network and of the disk of a rank, and of the shared file
 # system; seconds of a message.
 NETWORK, DISK, SHARED, LATENCY = 5e9, 1e9, 100e9, 5e-6
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Several processes that work on one scan together, on one machine or on many. What carries their messages is behind
-// this interface: MPI in glark/tool/mpi, threads of one process in tests.
+// Several processes that work on one scan together, on one machine or on many. This interface hides who carries their
+// messages: MPI in glark/tool/mpi, threads of one process in tests.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace glark::stream {
 
-// What a rank has sent.
+// The messages that a rank has sent.
 struct Traffic {
   std::uint64_t bytes = 0;
   std::uint64_t messages = 0;
@@ -36,7 +36,7 @@ class Ranks {
   // Sends bytes to one rank, and fills `received` by those of another one, who sends just as many. Either may be nobody.
   void send_receive(std::size_t to, std::span<const char> bytes, std::size_t from, std::span<char> received);
 
-  // What this rank has sent by both functions. A number for another rank counts as a message.
+  // The messages that this rank has sent by both functions. A number for another rank counts as a message.
   const Traffic& traffic() const { return traffic_; }
 
  private:

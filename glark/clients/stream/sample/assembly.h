@@ -12,7 +12,7 @@ namespace glark::stream {
 // Adds the samples of a cell in the order of its tree.
 using SelectCell = std::function<void(std::size_t cell, Chooser& chooser, CellSamples& samples)>;
 
-// What the trees of single cells have to say.
+// The parts of an assembly that need the tree of one cell only.
 void add_divisions(const TreeStore& trees, std::size_t cell, Divisions& divisions);
 void select_in_cell(const Plan& plan, const TreeStore& trees, std::size_t cell, Chooser& chooser, CellSamples& samples);
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// How many samples each threshold would leave.
+// Counts of clusters by their errors: they tell how many samples each threshold would leave.
 #pragma once
 
 #include <cstdint>

@@ -17,7 +17,7 @@ ReadOptions reading_options(const SampleOptions& options);
 // Whether all points are sampled at once. Throws Error for a source that is known to be empty.
 bool is_sampled_in_core(const BlockSource& source, const SampleOptions& options);
 
-// What the first pass counts.
+// The lattice and the limits of the first pass.
 CensusOptions counting_options(const Source& source, const SampleOptions& options, std::size_t threads);
 // Throws Error for a scan without a point that has finite coordinates.
 void require_points(const Census& census, const std::string& source);

@@ -37,7 +37,7 @@ class EditedScan {
 
   const SourceFile& file() const { return file_; }
   std::uint64_t records() const { return layout_.records; }
-  // Where the bytes after the records begin, in the scan: triangles, for example. They are copied.
+  // The byte of the scan where its records end. All after it, such as triangles, is copied.
   std::uint64_t rest() const { return layout_.begin + layout_.size(); }
   OutputLayout& output() { return output_; }
   // Throws Error if the scan was changed since the beginning.
@@ -46,9 +46,9 @@ class EditedScan {
   std::string identity() const;
   TransferReport report() const;
 
-  // Reads records and edits them. The result is valid until the next call, and the same for any `first`: each record
-  // depends on itself alone. Throws Error for a scan that ends early, or coordinates that do not fit into its numbers.
-  // end: one past the last record that may be edited. Some records are edited at a time.
+  // Reads some records, from `first` to `end` at most, and edits them. A record does not depend on the others that are
+  // edited with it. The result is valid until the next call. Throws Error for a scan that ends early, or coordinates
+  // that do not fit into its numbers.
   struct Edited {
     std::span<const char> records;  // those of the output
     std::size_t count = 0;

@@ -18,8 +18,8 @@ struct BuildInput {
   std::uint64_t points = 0;  // of the scan
 };
 
-// Of streamed points. Returns false, on all ranks, if a single process would have found that its unfinished cells take
-// more memory than the plan allows: then the points must be sent as shuffled ones. Throws RanksError.
+// The file has streamed points. Returns false, on all ranks, if a single process would have found that its unfinished
+// cells take more memory than the plan allows: then the points must be sent as shuffled ones. Throws RanksError.
 bool build_streamed_trees(Ranks& ranks, const BuildInput& input, TreeStore& trees);
 void build_shuffled_trees(Ranks& ranks, const BuildInput& input, TreeStore& trees);
 

@@ -14,7 +14,7 @@
 
 namespace glark::stream {
 
-// What all ranks know about the cells.
+// The cells and the points of a rank. All ranks know all owners.
 struct Shares {
   std::vector<std::uint32_t> owners;  // [cells]
   std::vector<std::uint32_t> owned;   // the cells of this rank, ascending
@@ -40,7 +40,7 @@ class CellFile {
   struct CellCount {
     std::uint64_t cell = 0, count = 0;
   };
-  // Where points of a rank in a cell go, in records.
+  // The records of the file for the points of a rank in a cell.
   struct Place {
     std::uint32_t cell = 0;
     std::uint64_t begin = 0, next = 0, end = 0;

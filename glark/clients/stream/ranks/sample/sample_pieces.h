@@ -13,7 +13,7 @@
 
 namespace glark::stream {
 
-// What is written of a cluster, and what the error of its cell needs.
+// A cluster, as far as it is written, or the error of its cell needs it.
 struct SentSample {
   std::array<double, 3> position{};
   std::array<float, 3> normal{};

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Which rank counts which points, and which rank owns which cells.
+// The shares of the ranks: each counts some of the points, and owns some of the cells.
 #pragma once
 
 #include <vector>
