@@ -15,6 +15,7 @@ from tracked import ROOT, text_of, tracked_files
 
 PAGE = "docs/man/glark.1"
 SCAN_PAGE = "docs/man/glark-scan.1"
+MPI_PAGE = "docs/man/glark-mpi.1"
 API_PAGES = [name for name in tracked_files() if re.fullmatch(r"docs/man/gl[A-Z]\w*\.3", name)]
 GLARK = ""
 
@@ -84,7 +85,7 @@ class Manual(unittest.TestCase):
             self.assertNotEqual("true", os.environ.get("CI"), "man is not installed; run scripts/install_packages --lint")
             self.skipTest("man is not installed")
         environment = dict(os.environ, MANROFFSEQ="", MANWIDTH="80", LC_ALL="C.UTF-8")
-        for page in (PAGE, SCAN_PAGE, *API_PAGES):
+        for page in (PAGE, SCAN_PAGE, MPI_PAGE, *API_PAGES):
             result = subprocess.run(["man", "--warnings", "--encoding=UTF-8", "--troff-device=utf8", "--local-file", str(ROOT / page)],
                                     capture_output=True, text=True, env=environment)
             self.assertEqual(("", 0), (result.stderr, result.returncode))

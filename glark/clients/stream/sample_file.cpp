@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include <glark/stream.h>
+#include "glark/clients/stream/sample_files.h"
 
 #include <optional>
+#include <utility>
 
 #include "glark/clients/stream/files/names.h"
 #include "glark/clients/stream/files/require_other_file.h"
@@ -40,6 +41,29 @@ void require_writable(const fs::path& small) {
 
 }  // namespace
 
+SampleFiles::SampleFiles(fs::path large, fs::path small, SampleFormats formats)
+    : large_(std::move(large)),
+      small_(std::move(small)),
+      index_(small_.string() + ".cells"),
+      formats_(std::move(formats)) {
+  require_name(small_, "the sampling");
+  require_other_file(small_, {large_});
+  require_other_file(index_, {large_});
+  require_replaceable_index(index_);
+  require_passes(large_);
+  require_writable(small_);
+}
+
+std::unique_ptr<PointWriter> SampleFiles::create(const Schema& schema) const {
+  return create_points(small_, schema, std::nullopt, {.text = formats_.text});
+}
+
+void SampleFiles::write_index(const SampleReport& report) const {
+  std::error_code error;
+  if (fs::is_regular_file(large_, error) && fs::is_regular_file(small_, error))
+    write_cells(index_, {fs::file_size(large_), report.points, report.cells, report.samples});
+}
+
 SampleReport sample_file(const std::filesystem::path& large, const std::filesystem::path& small,
                          const SampleOptions& options) {
   return sample_file(large, small, options, SampleFormats{});
@@ -47,21 +71,10 @@ SampleReport sample_file(const std::filesystem::path& large, const std::filesyst
 
 SampleReport sample_file(const std::filesystem::path& large, const std::filesystem::path& small,
                          const SampleOptions& options, const SampleFormats& formats) {
-  require_name(small, "the sampling");
-  const std::filesystem::path index = small.string() + ".cells";
-  require_other_file(small, {large});
-  require_other_file(index, {large});
-  require_replaceable_index(index);
-  require_passes(large);
-  require_writable(small);
+  const SampleFiles files(large, small, formats);
   return sample_and_publish(
-      file_source(large, formats.large), options, small.parent_path(),
-      [&](const Schema& schema) { return create_points(small, schema, std::nullopt, {.text = formats.text}); },
-      [&](const SampleReport& report) {
-        std::error_code error;
-        if (std::filesystem::is_regular_file(large, error) && std::filesystem::is_regular_file(small, error))
-          write_cells(index, {std::filesystem::file_size(large), report.points, report.cells, report.samples});
-      });
+      files.source(), options, files.folder(), [&](const Schema& schema) { return files.create(schema); },
+      [&](const SampleReport& report) { files.write_index(report); });
 }
 
 }  // namespace glark::stream

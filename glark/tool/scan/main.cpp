@@ -4,38 +4,17 @@
 // glark-scan: the commands of `glark` that work on files of points and triangles. It is a separate program, because its
 // libraries would slow down the start of `glark run`.
 #include <CLI/CLI.hpp>
-#include <cctype>
 #include <cstdio>
 #include <exception>
 #include <new>
 #include <string>
-#include <string_view>
 
 #include "glark/tool/scan/commands.h"
+#include "glark/tool/scan/complaint.h"
 
-namespace {
-
-constexpr int exit_failure = 1;
-constexpr int exit_usage = 2;
-
-// The libraries name their options as C++ and Python have them: "the option skip_invalid" becomes "--skip-invalid".
-std::string with_options_of_the_command_line(std::string text) {
-  constexpr std::string_view words = "the option ";
-  for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at)) {
-    text.replace(at, words.size(), "--");
-    for (at += 2; at < text.size() && (std::islower(static_cast<unsigned char>(text[at])) != 0 || text[at] == '_');
-         ++at)
-      if (text[at] == '_') text[at] = '-';
-  }
-  return text;
-}
-
-int complain(const char* problem, int status) {
-  std::fprintf(stderr, "glark: %s\n", problem);
-  return status;
-}
-
-}  // namespace
+using glark::tool::complain;
+using glark::tool::exit_failure;
+using glark::tool::exit_usage;
 
 int main(int argc, char** argv) {
   CLI::App app("glark: points and triangles in files", "glark");
@@ -66,11 +45,11 @@ int main(int argc, char** argv) {
   } catch (const CLI::Success& wanted) {  // --help
     return app.exit(wanted);
   } catch (const CLI::ParseError& error) {
-    return complain((std::string(error.what()) + "; glark COMMAND --help lists the options").c_str(), exit_usage);
+    return complain(std::string(error.what()) + "; glark COMMAND --help lists the options", exit_usage);
   } catch (const std::bad_alloc&) {
     return complain("the memory is too small for this file; split it into tiles or thin it first", exit_failure);
   } catch (const std::exception& error) {
-    return complain(with_options_of_the_command_line(error.what()).c_str(), exit_failure);
+    return complain(error.what(), exit_failure);
   }
   return 0;
 }

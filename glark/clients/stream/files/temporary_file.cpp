@@ -63,6 +63,10 @@ void TemporaryFile::write(std::uint64_t offset, std::span<const char> bytes) {
   if (!common::write_at(descriptor_, offset, bytes)) fail_in(folder_, "cannot be written");
 }
 
+void TemporaryFile::flush() {
+  if (fdatasync(descriptor_) != 0) fail_in(folder_, "cannot be written");
+}
+
 void TemporaryFile::read(std::uint64_t offset, std::span<char> bytes) const {
   if (!common::read_at(descriptor_, offset, bytes)) fail_in(folder_, "cannot be read");
 }

@@ -36,6 +36,8 @@ class TemporaryFile {
   std::uint64_t append(std::span<const char> bytes);
   void write(std::uint64_t offset, std::span<const char> bytes);
   void read(std::uint64_t offset, std::span<char> bytes) const;
+  // Waits until the disk has all bytes. Throws Error if it cannot have them.
+  void flush();
   std::uint64_t size() const { return end_; }
 
  private:

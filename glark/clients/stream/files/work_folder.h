@@ -30,7 +30,10 @@ class WorkFolder {
 
   bool is_used() const { return !folder_.empty(); }
   // A file of this folder. All that begin with glark- are ours, and are removed with it.
-  std::filesystem::path path(const std::string& name) const { return folder_ / ("glark-" + name); }
+  std::filesystem::path path(const std::string& name) const { return path_in(folder_, name); }
+  static std::filesystem::path path_in(const std::filesystem::path& folder, const std::string& name) {
+    return folder / ("glark-" + name);
+  }
   // Replaces a state, atomically. Throws Error, for a full disk too.
   void save(const char* name, const std::function<void(StateWriter&)>& write);
   // Calls read(state) if there is a state. Returns whether `read` has found all it needs.

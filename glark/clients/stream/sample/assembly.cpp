@@ -3,19 +3,9 @@
 #include "glark/clients/stream/sample/assembly.h"
 
 #include <algorithm>
-#include <bit>
 
 namespace glark::stream {
 namespace {
-
-// Errors of one class begin with the same bits. For positive floats, the order of the bits is the order of the numbers.
-constexpr unsigned class_shift = 13;  // steps of 2^-10
-constexpr std::size_t classes = std::size_t{1} << (31 - class_shift);
-std::size_t class_of(float error) { return (std::bit_cast<std::uint32_t>(error) & 0x7FFFFFFFU) >> class_shift; }
-
-float greatest_of_class(std::size_t error_class) {
-  return std::bit_cast<float>(static_cast<std::uint32_t>(((error_class + 1) << class_shift) - 1));
-}
 
 std::array<double, 3> sum(const std::array<double, 3>& a, const std::array<float, 3>& b) {
   return {a[0] + static_cast<double>(b[0]), a[1] + static_cast<double>(b[1]), a[2] + static_cast<double>(b[2])};
@@ -23,9 +13,17 @@ std::array<double, 3> sum(const std::array<double, 3>& a, const std::array<float
 
 }  // namespace
 
-Assembly::Assembly(const Plan& plan, const TreeStore& trees) : plan_(plan), trees_(trees), more_leaves_(classes) {
+Assembly::Assembly(const Plan& plan, const TreeStore& trees, const Divisions& of_cells)
+    : plan_(plan), trees_(trees), divisions_(of_cells) {
   if (!plan.cells.empty()) build(0, plan.cells.size(), Lattice::levels);
-  count_divisions();
+  for (const Volume& volume : volumes_) divisions_.add(volume.node.error, volume.node.children - 1);
+}
+
+void add_divisions(const TreeStore& trees, std::size_t cell, Divisions& divisions) {
+  std::vector<ClusterNode> nodes;
+  trees.read(cell, nodes);
+  for (const ClusterNode& node : nodes)
+    if (node.children > 1) divisions.add(node.error, node.children - 1);
 }
 
 // The shape and the error of the cells of one cube of the octree. Cubes with one child are no nodes.
@@ -60,26 +58,6 @@ Assembly::Part Assembly::build(std::size_t first, std::size_t last, unsigned lev
   return whole;
 }
 
-void Assembly::add_division(float error, std::uint32_t leaves) { more_leaves_[class_of(error)] += leaves; }
-
-void Assembly::count_divisions() {
-  for (const Volume& volume : volumes_) add_division(volume.node.error, volume.node.children - 1);
-  std::vector<ClusterNode> nodes;
-  for (std::size_t cell = 0; cell < plan_.cells.size(); ++cell) {
-    trees_.read(cell, nodes);
-    for (const ClusterNode& node : nodes)
-      if (node.children > 1) add_division(node.error, node.children - 1);
-  }
-}
-
-Cut Assembly::cut_for(std::uint64_t target) const {
-  std::uint64_t count = 1;
-  std::size_t last = classes;
-  while (last > 0 && count + more_leaves_[last - 1] <= target) count += more_leaves_[--last];
-  if (last == 0) return {-1, -1, 0};
-  return {greatest_of_class(last - 1), last == 1 ? -1 : greatest_of_class(last - 2), target - std::min(target, count)};
-}
-
 // Returns the clusters one level below a volume.
 std::vector<PlacedCluster> Assembly::parts_of(std::size_t volume) const {
   std::vector<PlacedCluster> parts;
@@ -100,7 +78,8 @@ std::vector<PlacedCluster> Assembly::parts_of(std::size_t volume) const {
   return parts;
 }
 
-void Assembly::select(const Cut& cut, const EmitSample& emit, std::vector<SampledCell>& cells) const {
+void Assembly::select(const Cut& cut, const SelectCell& select_cell, const EmitSample& emit,
+                      std::vector<SampledCell>& cells) const {
   CellSamples samples(emit, cells);
   Chooser chooser(cut);
   std::size_t volume = 0;
@@ -110,7 +89,7 @@ void Assembly::select(const Cut& cut, const EmitSample& emit, std::vector<Sample
     for (; volume < volumes_.size() && volumes_[volume].first == cell; ++volume)
       if (choice = chooser.choose(volumes_[volume].node); choice != Chooser::Choice::divide) break;
     if (choice == Chooser::Choice::divide) {
-      select_in_cell(cell, chooser, samples);
+      select_cell(cell, chooser, samples);
       samples.finish(cell, cell + 1);
       ++cell;
       continue;
@@ -128,11 +107,12 @@ void Assembly::select(const Cut& cut, const EmitSample& emit, std::vector<Sample
   }
 }
 
-void Assembly::select_in_cell(std::size_t cell, Chooser& chooser, CellSamples& samples) const {
+void select_in_cell(const Plan& plan, const TreeStore& trees, std::size_t cell, Chooser& chooser,
+                    CellSamples& samples) {
   std::vector<ClusterNode> nodes;
-  trees_.read(cell, nodes);
+  trees.read(cell, nodes);
   const auto placed = [&](const ClusterNode& node) {
-    return PlacedCluster{sum(plan_.centre(cell), node.position), node};
+    return PlacedCluster{sum(plan.centre(cell), node.position), node};
   };
   for (std::size_t i = 0; i < nodes.size();) {
     const ClusterNode& node = nodes[i];

@@ -4,19 +4,28 @@
 // The last step: one threshold for all cells, and the samples that it leaves.
 #pragma once
 
-#include "glark/clients/stream/sample/chosen_clusters.h"
+#include "glark/clients/stream/sample/divisions.h"
 #include "glark/clients/stream/sample/pass/cell_pass.h"
 
 namespace glark::stream {
 
+// Adds the samples of a cell in the order of its tree.
+using SelectCell = std::function<void(std::size_t cell, Chooser& chooser, CellSamples& samples)>;
+
+// The parts of an assembly that need the tree of one cell only.
+void add_divisions(const TreeStore& trees, std::size_t cell, Divisions& divisions);
+void select_in_cell(const Plan& plan, const TreeStore& trees, std::size_t cell, Chooser& chooser, CellSamples& samples);
+
 class Assembly {
  public:
-  Assembly(const Plan& plan, const TreeStore& trees);
+  // trees: of all cells; their first nodes suffice. of_cells: the divisions of all nodes of the trees.
+  Assembly(const Plan& plan, const TreeStore& trees, const Divisions& of_cells);
 
-  // Leaves `target` samples, but at least one, and no more than there are leaves.
-  Cut cut_for(std::uint64_t target) const;
-  // Calls `emit` for each sample, cell by cell. Sets the samples and the errors of the cells.
-  void select(const Cut& cut, const EmitSample& emit, std::vector<SampledCell>& cells) const;
+  Cut cut_for(std::uint64_t target) const { return divisions_.cut_for(target); }
+  // Calls `emit` for each sample, cell by cell; select_cell has those of a cell. Sets the samples and the errors of the
+  // cells.
+  void select(const Cut& cut, const SelectCell& select_cell, const EmitSample& emit,
+              std::vector<SampledCell>& cells) const;
 
  private:
   // A cube of the octree that has several cells.
@@ -33,15 +42,12 @@ class Assembly {
   };
 
   Part build(std::size_t first, std::size_t last, unsigned level);
-  void count_divisions();
   std::vector<PlacedCluster> parts_of(std::size_t volume) const;
-  void select_in_cell(std::size_t cell, Chooser& chooser, CellSamples& samples) const;
-  void add_division(float error, std::uint32_t leaves);
 
   const Plan& plan_;
   const TreeStore& trees_;
-  std::vector<Volume> volumes_;             // in preorder
-  std::vector<std::uint64_t> more_leaves_;  // that the divisions of a class of errors add; the least errors first
+  std::vector<Volume> volumes_;  // in preorder
+  Divisions divisions_;
 };
 
 }  // namespace glark::stream

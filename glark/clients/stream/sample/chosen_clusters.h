@@ -6,6 +6,7 @@
 
 #include <glark/stream.h>
 
+#include <algorithm>
 #include <functional>
 #include <utility>
 
@@ -46,6 +47,9 @@ class Chooser {
   }
   // After divide_partly: how many parts become samples of their own. Nothing is left to share out then.
   std::size_t take_spare() { return static_cast<std::size_t>(std::exchange(cut_.spare, 0)); }
+  // The samples that may still be added. What they are spent on may be decided elsewhere.
+  std::uint64_t spare() const { return cut_.spare; }
+  void spend(std::uint64_t samples) { cut_.spare -= std::min(cut_.spare, samples); }
 
  private:
   Cut cut_;

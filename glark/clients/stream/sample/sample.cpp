@@ -3,89 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "glark/clients/stream/files/source_file.h"
-#include "glark/clients/stream/files/with_vstree.h"
-#include "glark/clients/stream/sample/assembly.h"
-#include "glark/clients/stream/sample/in_core.h"
 #include "glark/clients/stream/sample/pass/trim_memory.h"
 #include "glark/clients/stream/sample/sample_and_publish.h"
+#include "glark/clients/stream/sample/sample_steps.h"
 
 namespace glark::stream {
 namespace {
-
-constexpr unsigned grid_levels = 7;  // the lattice has about 2^7 cubes along the scan
-constexpr std::size_t least_memory = std::size_t{40} << 20;
-constexpr std::size_t bytes_for_normals = 900;  // of a sample, while normals are estimated
-constexpr std::size_t program_bytes = std::size_t{24} << 20;
-
-void check(const SampleOptions& options) {
-  if (options.target == 0 && !(options.error > 0 && options.error < 1))
-    throw Error(Element::option, 0,
-                fmt::format("glark-stream: error is {}; above 0 and below 1 is possible", options.error));
-  if (options.memory < least_memory)
-    throw Error(
-        Element::option, 0,
-        fmt::format("glark-stream: memory is {} bytes; {} (40 MiB) is the least", options.memory, least_memory));
-}
-
-// Collects samples and gives them to a writer in blocks.
-class SampleWriter {
- public:
-  SampleWriter(std::unique_ptr<PointWriter> writer, bool has_colours, bool keeps_all)
-      : writer_(std::move(writer)), has_colours_(has_colours), keeps_all_(keeps_all) {}
-
-  void add(const std::array<double, 3>& position, const ClusterNode& node) {
-    positions_.insert(positions_.end(), position.begin(), position.end());
-    normals_.insert(normals_.end(), node.normal.begin(), node.normal.end());
-    if (has_colours_) channels_.insert(channels_.end(), node.colour.begin(), node.colour.begin() + 3);
-    if (!keeps_all_ && positions_.size() == 3 * block) flush();
-    ++count_;
-  }
-  // The samples agree on the side of the surface: the sides of clusters without normals are not known.
-  void orient(unsigned threads) {
-    std::vector<float> local;
-    for (std::size_t i = 0; i < positions_.size(); ++i)
-      local.push_back(static_cast<float>(positions_[i] - positions_[i % 3]));
-    normals_ = with_vstree("glark-stream",
-                           [&] { return vstree::estimate_normals({.positions = local}, {.threads = threads}); });
-  }
-  void finish() {
-    flush();
-    writer_->finish();
-  }
-  std::uint64_t count() const { return count_; }
-
- private:
-  static constexpr std::size_t block = 4096;
-
-  void flush() {
-    if (!positions_.empty()) writer_->write({count_ - positions_.size() / 3, positions_, normals_, channels_});
-    positions_.clear();
-    normals_.clear();
-    channels_.clear();
-  }
-
-  std::unique_ptr<PointWriter> writer_;
-  bool has_colours_, keeps_all_;
-  std::vector<double> positions_, channels_;
-  std::vector<float> normals_;
-  std::uint64_t count_ = 0;
-};
-
-SampleReport report_of(const Census& census, const Plan& plan) {
-  SampleReport report;
-  report.points = census.points;
-  report.left_out = census.left_out;
-  report.is_shuffled = plan.is_shuffled;
-  report.cells.reserve(plan.cells.size());
-  for (std::size_t i = 0; i < plan.cells.size(); ++i) {
-    const Cell& cell = plan.cells[i];
-    report.cells.push_back({plan.corner(i), plan.side(i), cell.count, cell.first, cell.last, 0, 0, 0});
-  }
-  return report;
-}
 
 // All that the saved states depend on.
 std::string identity_of(const Source& source, const SampleOptions& options) {
@@ -114,24 +39,6 @@ Census census_of(const Source& source, const ReadOptions& reading, const CensusO
   positions_only.normals = positions_only.channels = false;
   BlockSource points(source, positions_only, workers);
   return take_census(points, options, advance, checkpoints);
-}
-
-// Writes the samples to a new file, and notes in `report` which cells have them.
-void write_samples(const Assembly& assembly, const Cut& cut, const Schema& schema, const SampleOptions& options,
-                   const CreateWriter& create, SampleReport& report) {
-  const PointKind kind(schema);
-  const bool orients = !kind.has_normals && options.target * bytes_for_normals + program_bytes <= options.memory;
-  SampleWriter writer(create(sampling_schema(schema, kind.has_colours())), kind.has_colours(), orients);
-  assembly.select(
-      cut, [&](const std::array<double, 3>& position, const ClusterNode& node) { writer.add(position, node); },
-      report.cells);
-  if (orients) writer.orient(options.threads);
-  writer.finish();
-  report.samples = writer.count();
-}
-
-[[noreturn]] void fail_without_points(const Source& source) {
-  throw Error(Element::file, 0, source.name + ": it has no points; export it again");
 }
 
 }  // namespace
@@ -165,14 +72,12 @@ SampleReport sample(const Source& source, const SampleOptions& options, const st
 SampleReport sample_and_publish(const Source& source, const SampleOptions& options,
                                 const std::filesystem::path& temporary, const CreateWriter& create,
                                 const std::function<void(const SampleReport&)>& published) {
-  check(options);
+  require_valid(options);
   require_work(options.work, options.resume);
   const common::Workers workers(options.threads);
-  ReadOptions reading;
-  reading.keep_invalid = options.skip_invalid;
+  const ReadOptions reading = reading_options(options);
   BlockSource points(source, reading, workers);
-  if (points.count() == std::uint64_t{0}) fail_without_points(source);
-  if (options.allow_in_core && points.count() && fits_in_core(*points.count(), points.schema().normals, options)) {
+  if (is_sampled_in_core(points, options)) {
     SampleReport report = sample_in_core(points, options, create);
     published(report);
     return report;
@@ -189,23 +94,23 @@ SampleReport sample_and_publish(const Source& source, const SampleOptions& optio
       if (options.progress) options.progress(std::min(1.0, begin + share * static_cast<double>(done) / all));
     };
   };
-  const CensusOptions counting{choose_lattice(source, reading, grid_levels), most_cubes(options.memory),
-                               workers.count()};
+  const CensusOptions counting = counting_options(source, options, workers.count());
   census = census_of(source, reading, counting, workers, part_done(0, 0.3), checkpoints);
-  if (census.points == 0) fail_without_points(source);
-  if (census.cubes.empty())
-    throw Error(Element::file, 0, source.name + ": no point has finite coordinates; export it again");
+  require_points(census, source.name);
   Plan plan = make_plan(census, options);
   census.cubes = {};
   trim_memory(options.memory);
   const PassInput input{points, census, plan, workers, part_done(0.3, 0.65), checkpoints};
   const std::unique_ptr<TreeStore> trees = make_trees(input, plan, temporary);
   trim_memory(options.memory);
-  const Assembly assembly(plan, *trees);
-  const Cut cut = options.target > 0 ? assembly.cut_for(options.target)
-                                     : Cut{.threshold = static_cast<float>(options.error * census.diagonal())};
+  Divisions divisions;
+  for (std::size_t cell = 0; cell < plan.cells.size(); ++cell) add_divisions(*trees, cell, divisions);
+  const Assembly assembly(plan, *trees, divisions);
+  const auto select_cell = [&](std::size_t cell, Chooser& chooser, CellSamples& samples) {
+    select_in_cell(plan, *trees, cell, chooser, samples);
+  };
   SampleReport report = report_of(census, plan);
-  write_samples(assembly, cut, points.schema(), options, create, report);
+  write_samples(assembly, cut_of(assembly, census, options), select_cell, points.schema(), options, create, report);
   published(report);
   folder.finish();
   if (options.progress) options.progress(1);

@@ -216,7 +216,8 @@ Census take_census(BlockSource& source, const CensusOptions& options, const Adva
   };
   const auto count = [&](const Points& points) { counts.local().add(points, options.lattice, source.name()); };
   for (std::uint64_t read = 1; read > 0;) {
-    read = source.each(done, done + batch, count);
+    const std::uint64_t first = options.begin + done;
+    read = source.each(first, std::min(options.end, first + batch), count);
     done += read;
     if (advance) advance(done);
     if (checkpoints.is_due(done)) checkpoints.folder().save(name, [&](StateWriter& state) { save(counted(), state); });

@@ -36,6 +36,7 @@ struct CensusOptions {
   Lattice lattice;
   std::size_t most_cubes = std::size_t{1} << 16;  // a power of two; more occupied ones are merged, eight into one
   std::size_t threads = 1;
+  std::uint64_t begin = 0, end = Cube::no_key;  // the points to count; without seeking, all of them
 };
 
 // Points whose coordinates are not finite are left out; the reader may throw Error for them. Continues from a saved state.

@@ -6,8 +6,14 @@
 #include <cmath>
 
 #include "glark/clients/common/vector.h"
+#include "glark/clients/stream/sample/pass/stored_point.h"
 
 namespace glark::stream {
+namespace {
+
+constexpr float normal_steps = 32767;
+
+}  // namespace
 
 PointKind::PointKind(const Schema& schema) : has_normals(schema.normals), channels(schema.channels.size()) {
   constexpr std::array names{"red", "green", "blue"};
@@ -57,6 +63,38 @@ void CellFrame::place(const std::array<double, 3>& position, LocalPoint& point) 
     point.position[k] = static_cast<float>(at - (cube[k] + 0.5) * small_);
   }
   point.key = static_cast<std::uint32_t>(morton_code(cube));
+}
+
+LocalPoint local_point(const CellFinder& finder, std::uint32_t cell, const PointKind& kind, const Points& points,
+                       std::size_t i) {
+  LocalPoint point;
+  point.cell = cell;
+  if (cell == no_cell) return point;
+  const double* position = &points.positions[3 * i];
+  finder.frame().place({position[0], position[1], position[2]}, point);
+  if (kind.has_normals) point.normal = unit_normal_of(points, i);
+  point.colour = kind.colour_of(points, i);
+  return point;
+}
+
+StoredPoint stored_point(const std::array<double, 3>& centre, const PointKind& kind, const Points& points,
+                         std::size_t i) {
+  StoredPoint point;
+  const std::array<float, 3> normal = kind.has_normals ? unit_normal_of(points, i) : std::array<float, 3>{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    point.from_centre[k] = static_cast<float>(points.positions[3 * i + k] - centre[k]);
+    point.normal[k] = static_cast<std::int16_t>(std::lround(normal_steps * normal[k]));
+  }
+  point.colour = kind.colour_of(points, i);
+  return point;
+}
+
+void add_stored(const StoredPoint& stored, const CellFrame& frame, const PointKind& kind, MicroTable& table) {
+  LocalPoint point;
+  frame.place({stored.from_centre[0], stored.from_centre[1], stored.from_centre[2]}, point);
+  for (std::size_t k = 0; k < 3; ++k) point.normal[k] = static_cast<float>(stored.normal[k]) / normal_steps;
+  point.colour = stored.colour;
+  table.add(MicroTable::part_of(point.key), point, kind.has_normals);
 }
 
 std::array<float, 3> unit_normal_of(const Points& points, std::size_t i) {

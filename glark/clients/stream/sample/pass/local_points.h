@@ -43,6 +43,10 @@ class CellFinder {
   std::array<double, 3> centre_{};
 };
 
+// The point of a span in the cell that was found last. cell: its index, or no_cell, which leaves the rest empty.
+LocalPoint local_point(const CellFinder& finder, std::uint32_t cell, const PointKind& kind, const Points& points,
+                       std::size_t i);
+
 // A normal of unit length, or zero.
 std::array<float, 3> unit_normal_of(const Points& points, std::size_t i);
 

@@ -4,20 +4,14 @@
 // For streams without coherence. The count of each cell is known, so that each cell has its place in one file.
 #include <algorithm>
 
-#include "glark/clients/stream/sample/pass/local_points.h"
+#include "glark/clients/stream/sample/pass/cell_trees.h"
+#include "glark/clients/stream/sample/pass/stored_point.h"
 #include "glark/clients/stream/sample/pass/trim_memory.h"
 
 namespace glark::stream {
 namespace {
 
 constexpr std::size_t points_at_once = 1 << 15, read_size = 1 << 12;
-constexpr float normal_steps = 32767;
-
-struct StoredPoint {
-  std::array<float, 3> from_centre{};
-  std::array<std::int16_t, 3> normal{};
-  std::array<std::uint8_t, 4> colour{};
-};
 
 class CellSorter {
  public:
@@ -122,14 +116,7 @@ class CellSorter {
       const auto slot = static_cast<std::size_t>(points.first + i - begin);
       cells_[slot] = finder.find(&points.positions[3 * i]);
       if (cells_[slot] == no_cell) continue;
-      const std::array<double, 3>& centre = finder.centre();
-      StoredPoint& point = batch_[slot];
-      const std::array<float, 3> normal = kind_.has_normals ? unit_normal_of(points, i) : std::array<float, 3>{};
-      for (std::size_t k = 0; k < 3; ++k) {
-        point.from_centre[k] = static_cast<float>(points.positions[3 * i + k] - centre[k]);
-        point.normal[k] = static_cast<std::int16_t>(std::lround(normal_steps * normal[k]));
-      }
-      point.colour = kind_.colour_of(points, i);
+      batch_[slot] = stored_point(finder.centre(), kind_, points, i);
     }
   }
 
@@ -158,49 +145,25 @@ class CellSorter {
       points.resize(static_cast<std::size_t>(std::min<std::uint64_t>(read_size, plan_.cells[cell].count - done)));
       file_->read((begins_[cell] + done) * sizeof(StoredPoint),
                   {reinterpret_cast<char*>(points.data()), points.size() * sizeof(StoredPoint)});
-      for (const StoredPoint& stored : points) {
-        LocalPoint point;
-        frame.place({stored.from_centre[0], stored.from_centre[1], stored.from_centre[2]}, point);
-        for (std::size_t k = 0; k < 3; ++k) point.normal[k] = static_cast<float>(stored.normal[k]) / normal_steps;
-        point.colour = stored.colour;
-        table.add(MicroTable::part_of(point.key), point, kind_.has_normals);
-      }
+      for (const StoredPoint& stored : points) add_stored(stored, frame, kind_, table);
       if (table.size() > plan_.tree_clusters) return false;
     }
     return true;
   }
 
-  // The micro-clusters of a cell, and by how many bits less than planned they are told apart.
-  struct Summed {
-    std::vector<MicroCluster> clusters;
-    unsigned fewer = 0;
-  };
-  Summed summed(std::size_t cell) const {
+  SummedCell summed(std::size_t cell) const {
     for (unsigned fewer = 0;; ++fewer) {
       MicroTable table;
-      if (fill(table, cell, plan_.bits(cell) - fewer)) return {table.take(), fewer};
+      if (fill(table, cell, plan_.bits(cell) - fewer)) return {cell, table.take(), fewer};
     }
   }
 
-  // Sums up some cells at a time, then builds their trees, as many at a time as the memory allows.
   void build_trees(std::size_t first, std::size_t last) {
-    std::vector<Summed> cells(last - first);
+    std::vector<SummedCell> cells(last - first);
     input_.workers.each(cells.size(), 1, [&](std::size_t from, std::size_t to) {
       for (std::size_t i = from; i < to; ++i) cells[i] = summed(first + i);
     });
-    for (std::size_t begin = 0, end = 0; begin < cells.size(); begin = end) {
-      for (std::size_t clusters = 0; end < cells.size(); ++end) {
-        clusters += cells[end].clusters.size();
-        if (end > begin && clusters > plan_.tree_clusters) break;
-      }
-      input_.workers.each(end - begin, 1, [&](std::size_t from, std::size_t to) {
-        for (std::size_t i = begin + from; i < begin + to; ++i) {
-          trees_.put(first + i,
-                     cluster_tree(cells[i].clusters, plan_.tree_options(first + i, kind_.has_normals, cells[i].fewer)));
-          cells[i].clusters = {};
-        }
-      });
-    }
+    put_trees(cells, plan_, kind_.has_normals, input_.workers, trees_);
   }
 
   const PassInput& input_;

@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "glark/clients/stream/sample/pass/local_points.h"
+#include "glark/clients/stream/sample/pass/open_memory.h"
 #include "glark/clients/stream/sample/pass/trim_memory.h"
 
 namespace glark::stream {
@@ -16,9 +17,18 @@ constexpr std::size_t bytes_a_point = 256;  // of open_bytes, for each point of 
 constexpr double most_open_share = 1.4;     // of open_bytes, at any time
 constexpr std::size_t least_batch = 1 << 15, most_batch = 1 << 16;
 
+}  // namespace
+
 std::size_t batch_size(const Plan& plan) {
   return std::clamp(std::bit_ceil(plan.open_bytes / bytes_a_point), least_batch, most_batch);
 }
+
+bool fits_in_open_memory(const Plan& plan, std::size_t bytes, std::uint64_t batches) {
+  return static_cast<double>(bytes) <= most_open_share * static_cast<double>(plan.open_bytes) &&
+         (batches % 32 != 0 || bytes <= plan.open_bytes);
+}
+
+namespace {
 
 class CellStream {
  public:
@@ -91,13 +101,8 @@ class CellStream {
   void locate(const Points& points, std::uint64_t begin) {
     CellFinder finder(plan_, input_.source.name());
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const double* position = &points.positions[3 * i];
-      LocalPoint& point = batch_[static_cast<std::size_t>(points.first + i - begin)];
-      point.cell = finder.find(position);
-      if (point.cell == no_cell) continue;
-      finder.frame().place({position[0], position[1], position[2]}, point);
-      if (kind_.has_normals) point.normal = unit_normal_of(points, i);
-      point.colour = kind_.colour_of(points, i);
+      const std::uint32_t cell = finder.find(&points.positions[3 * i]);
+      batch_[static_cast<std::size_t>(points.first + i - begin)] = local_point(finder, cell, kind_, points, i);
     }
   }
 
@@ -121,10 +126,7 @@ class CellStream {
     }
     if (!finish_all(complete)) return false;
     finished_ += complete.size();
-    // The tables of some cells grow for a while before others are complete, so the usual limit is checked now and then.
-    const std::size_t bytes = open_bytes();
-    return static_cast<double>(bytes) <= most_open_share * static_cast<double>(plan_.open_bytes) &&
-           (++batches_ % 32 != 0 || bytes <= plan_.open_bytes);
+    return fits_in_open_memory(plan_, open_bytes(), ++batches_);
   }
 
   // Builds the trees of these cells, several at a time as the memory allows. Returns false if one cell alone is too large.

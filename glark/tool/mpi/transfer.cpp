@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+//
+// mpirun -n N glark-mpi transfer LARGE --from SMALL --to EDITED -o OUT: the same as glark transfer.
+#include "glark/clients/stream/ranks/transfer.h"
+
+#include <memory>
+
+#include "glark/tool/mpi/commands.h"
+#include "glark/tool/scan/stream/transfer_command.h"
+#include "glark/tool/scan/stream/work_folder.h"
+
+namespace glark::tool {
+namespace {
+
+void transfer(MpiRanks& ranks, const TransferCommand& command) {
+  stream::TransferOptions options = command.options;
+  const bool is_first = ranks.rank() == 0;
+  Progress progress("transferring to " + command.output);
+  if (is_first) options.progress = [&](double fraction) { progress.show(fraction); };
+  options.work = work_folder(command.output);
+  if (options.threads == 0) options.threads = ranks.threads();
+  const stream::TransferReport report =
+      stream::transfer(ranks, {command.input, command.from, command.to, command.output}, options);
+  const double seconds = progress.seconds();
+  print_of_all(ranks, is_first ? report_of(command, report, seconds) : Report(), command.json);
+}
+
+}  // namespace
+
+void add_transfer(CLI::App& app, MpiRanks& ranks) {
+  CLI::App* command = app.add_subcommand("transfer", "Transfer the edit of a sampling to the scan");
+  const auto edit = std::make_shared<TransferCommand>();
+  describe(*command, *edit);
+  command->callback([edit, &ranks] { transfer(ranks, *edit); });
+}
+
+}  // namespace glark::tool

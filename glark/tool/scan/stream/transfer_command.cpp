@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The glark authors
+// SPDX-License-Identifier: MIT
+#include "glark/tool/scan/stream/transfer_command.h"
+
+#include <fmt/format.h>
+
+#include "glark/tool/scan/peak_memory.h"
+#include "glark/tool/scan/validators.h"
+
+namespace glark::tool {
+
+void describe(CLI::App& command, TransferCommand& transfer) {
+  command.add_option("LARGE", transfer.input, "The scan: binary PLY, .las, .stl or .raw")->required();
+  command.add_option("--from", transfer.from, "The sampling of the scan, as glark sample wrote it")
+      ->type_name("SMALL")
+      ->required();
+  command
+      .add_option("--to", transfer.to,
+                  "The edited sampling. Its points have the same order, or a property \"index\" that tells it")
+      ->type_name("EDITED")
+      ->required();
+  command.add_option("-o,--output", transfer.output, "The file to write, in the format of LARGE")
+      ->type_name("OUT")
+      ->required();
+  command
+      .add_option("--neighbours", transfer.options.neighbours,
+                  "Samples that a point follows, 3 to 64; more make colours smoother; default 12")
+      ->check(between(3, 64));
+  command.add_flag("--sharp", transfer.options.singular, "Keep sharp borders of colours");
+  command.add_option("--threads", transfer.options.threads,
+                     "Most threads; default: all of the machine. The result is the same");
+  command.add_flag("--json", transfer.json, "Report as JSON on standard output");
+}
+
+Report report_of(const TransferCommand& transfer, const stream::TransferReport& report, double seconds) {
+  if (report.points_away > report.points / 2)
+    warn(fmt::format("{} of the {} points of {} lie away from all samples of {}; is it a sampling of this scan?",
+                     report.points_away, report.points, transfer.input, transfer.from));
+  Report printed;
+  printed["points"] = report.points;
+  printed["points_away"] = report.points_away;
+  printed["deformed"] = report.is_deformed;
+  printed["channels"] = report.channels;
+  printed["seconds"] = seconds;
+  printed["peak_memory_bytes"] = peak_memory();
+  return printed;
+}
+
+}  // namespace glark::tool
