@@ -59,8 +59,9 @@ std::optional<MeshPass> mesh_pass(const MeshPassFacts& facts, std::optional<Caus
   pass.equal = tests && b.depth_function == GL_EQUAL;
   pass.meets_depth = tests && may_lie_on_others(b);
   pass.shows = shows;
-  pass.marks = b.stencil_test;
+  pass.marks = b.stencil_test && facts.stencil != 0;
   pass.behind = cause == Cause::budget;
+  pass.stencil = facts.stencil;
   pass.target = target_of(facts.framebuffer, b.viewport);
   if (cause == Cause::not_triangles) {
     pass.lines = true;

@@ -108,6 +108,7 @@ class MeshTable {
   void count_frame(Drawn& drawn);
   static bool lasts(const MeshKey& key) { return source_of(key) == MeshSource::buffer || key == loose_mesh; }
   Source& source_for(const MeshKey& key) { return sources_[static_cast<std::size_t>(source_of(key))]; }
+  bool meets_flat_depth(const Mesh& mesh, const MeshPass& pass) const;
   MeshVerdict delay(const MeshKey& key, Mesh& mesh, const MeshPass& pass);
   bool watched(const MeshKey& key, Mesh& mesh, const MeshPass& pass);
   bool is_recent(std::uint64_t frame) const { return frame != never && frame + 1 >= frame_; }

@@ -65,7 +65,8 @@ std::optional<Cause> MeshWatch::judge(const DrawCall& call, const Inputs& inputs
                                             .depth_buffer = framebuffers.bound_has_depth(env_.gl, env_.errors),
                                             .color_buffer = framebuffers.bound_has_colors(env_.gl, env_.errors),
                                             .triangles = call.triangles,
-                                            .framebuffer = framebuffers.bound_name()},
+                                            .framebuffer = framebuffers.bound_name(),
+                                            .stencil = framebuffers.bound_stencil(env_.gl, env_.errors)},
                                            cause);
   const bool matters = pass && (pass->curves || pass->uses_depth || pass->must_meet());
   if (!matters) {

@@ -44,6 +44,14 @@ TEST_F(MeshPasses, APreparationHasNoColors) {
   EXPECT_TRUE(pass().prepares());
 }
 
+TEST_F(MeshPasses, WithoutAStencilBufferNothingIsMarked) {
+  bindings_.stencil_test = true;
+  MeshPassFacts facts{bindings_};
+  EXPECT_TRUE(mesh_pass(facts, std::nullopt)->marks);
+  facts.stencil = 0;
+  EXPECT_FALSE(mesh_pass(facts, std::nullopt)->marks);
+}
+
 TEST_F(MeshPasses, AShadowMapHasNoColors) {
   color_buffer_ = false;
   EXPECT_TRUE(pass().prepares());
