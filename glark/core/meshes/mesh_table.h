@@ -51,6 +51,8 @@ class MeshTable {
   // Notes a pass over the mesh and returns what holds for it. If the pass cannot be curved itself, the verdict is
   // flat or tells about the other passes.
   MeshVerdict draw(const MeshKey& key, const MeshPass& pass);
+  // Something that cannot be curved lies on the mesh.
+  void keep_flat(const MeshKey& key) { find(key).flat = true; }
   // glEnd of a pass without identity that said it was open.
   void loose_ended(std::uint64_t triangles);
   // The normals that a pass over the mesh reads. Other passes may use them, too.

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "glark/core/capture/layout.h"
+#include "glark/core/meshes/buffer_points.h"
 #include "glark/core/state/lists/display_list.h"
 #include "glark/core/state/programs/derived_program.h"
 
@@ -75,6 +76,7 @@ std::optional<Cause> MeshWatch::judge(const DrawCall& call, const Inputs& inputs
   pass->made = pass->curves && has_made_normals(inputs.fields);
   pass->lone = lone_polygon;
   pass->open = call.triangles == 0;
+  note_overlay(call, *pass);
   return call.list_segment != 0 ? ask(mesh_of_list(call.list_segment), *pass, cause)
          : call.from_arrays     ? judge_arrays(inputs, *pass, cause)
                                 : judge_loose(*pass, cause);
@@ -97,6 +99,9 @@ std::optional<Cause> MeshWatch::judge_arrays(const Inputs& inputs, MeshPass pass
       note_normals(mesh, slot, *fields);
     }
     pass.lacks_normal = cause == Cause::no_surface;
+    if (pass.curves && is_overlaid(mesh, slot)) {
+      table_.keep_flat(mesh);
+    }
     return ask(mesh, pass, cause);
   }
   for (const capture::Field& field : *fields) {
@@ -105,6 +110,51 @@ std::optional<Cause> MeshWatch::judge_arrays(const Inputs& inputs, MeshPass pass
     }
   }
   return cause;
+}
+
+// The vertex stage does more than to transform positions. So it makes quads of thick lines.
+bool MeshWatch::places_vertices_itself() const {
+  const Program* current = env_.state.programs().current().get();
+  const refine::OutputVariation* position = current != nullptr ? current->traits.variation.position() : nullptr;
+  return position != nullptr && position->variation > refine::Variation::affine;
+}
+
+// Lines may lie on a mesh, also those that are drawn as quads. Thick lines have two arrays with points, one for each end.
+void MeshWatch::note_overlay(const DrawCall& call, const MeshPass& pass) {
+  const bool may_lie_on_meshes =
+      pass.shows && pass.uses_depth && !pass.curves && !pass.compiles && (pass.lines || places_vertices_itself());
+  if (!may_lie_on_meshes || !call.from_arrays || call.list_segment != 0 || call.mode == GL_POINTS) {
+    return;
+  }
+  const int count = std::min(env_.capabilities.max_vertex_attributes, generic_slots);
+  for (int slot = 0; slot < count; ++slot) {
+    note_overlay_array(slot);
+  }
+  if (env_.capabilities.is_compatibility()) {
+    note_overlay_array(vertex_slot);
+  }
+}
+
+void MeshWatch::note_overlay_array(int slot) {
+  const AttributeSource& source = env_.state.arrays().attribute_source(slot);
+  if (has_points(source)) {
+    const MeshKey key = mesh_of(source, packed_stride(source.size, source.type));
+    if (overlays_.wants_overlay(key)) {
+      overlays_.add_overlay(key, read_points(env_.gl, env_.errors, source));
+    }
+  }
+}
+
+bool MeshWatch::is_overlaid(const MeshKey& mesh, int position_slot) {
+  const int slot = slot_in_use(position_slot);
+  if (slot == no_slot) {
+    return false;
+  }
+  const AttributeSource& source = env_.state.arrays().attribute_source(slot);
+  if (has_points(source) && overlays_.wants_mesh(mesh)) {
+    overlays_.add_mesh(mesh, read_points(env_.gl, env_.errors, source));
+  }
+  return overlays_.covers(mesh);
 }
 
 std::optional<Cause> MeshWatch::ask(const MeshKey& key, const MeshPass& pass, std::optional<Cause> cause) {
