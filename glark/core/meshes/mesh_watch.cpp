@@ -6,6 +6,7 @@
 
 #include "glark/core/capture/layout.h"
 #include "glark/core/meshes/buffer_points.h"
+#include "glark/core/meshes/directions.h"
 #include "glark/core/state/lists/display_list.h"
 #include "glark/core/state/programs/derived_program.h"
 
@@ -58,7 +59,7 @@ bool may_make_normals(const ContextOptions& options, const std::vector<capture::
 std::optional<Cause> MeshWatch::judge(const DrawCall& call, const Inputs& inputs, std::optional<Cause> cause) {
   const bool lone_polygon = is_lone_polygon(call);
   const bool may_curve = !cause || cause == Cause::compiling;
-  if (may_curve && (lone_polygon || (!cause && !has_normals(call, inputs)))) {
+  if (may_curve && (lone_polygon || (!cause && (!has_normals(call, inputs) || is_moved_by_offsets(call, inputs))))) {
     cause = Cause::no_surface;
   }
   Framebuffers& framebuffers = env_.state.framebuffers();
@@ -110,6 +111,26 @@ std::optional<Cause> MeshWatch::judge_arrays(const Inputs& inputs, MeshPass pass
     }
   }
   return cause;
+}
+
+// The stage moves vertices by the normal, and this one is an offset.
+bool MeshWatch::is_moved_by_offsets(const DrawCall& call, const Inputs& inputs) {
+  const Program* current = env_.state.programs().current().get();
+  const refine::OutputVariation* position = current != nullptr ? current->traits.variation.position() : nullptr;
+  const capture::Field* normal = capture::find_role(*inputs.fields, capture::Role::normal);
+  if (position == nullptr || normal == nullptr || !position->inputs.contains(normal->name) || !call.from_arrays ||
+      slot_of(*normal) == no_slot) {
+    return false;
+  }
+  const AttributeSource& source = env_.state.arrays().attribute_source(slot_of(*normal));
+  if (!has_points(source)) {
+    return false;
+  }
+  const auto [entry, added] = moves_by_offsets_.try_emplace(mesh_of(source, packed_stride(source.size, source.type)));
+  if (added) {
+    entry->second = !are_directions(read_points(env_.gl, env_.errors, source));
+  }
+  return entry->second;
 }
 
 // The vertex stage does more than to transform positions. So it makes quads of thick lines.

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "glark/core/capture/draw_call.h"
@@ -53,6 +54,7 @@ class MeshWatch {
   std::optional<Cause> judge_loose(const MeshPass& pass, std::optional<Cause> cause);  // from glBegin..glEnd
   std::optional<Cause> judge_arrays(const Inputs& inputs, MeshPass pass, std::optional<Cause> cause);
   void note_overlay(const DrawCall& call, const MeshPass& pass);
+  bool is_moved_by_offsets(const DrawCall& call, const Inputs& inputs);
   bool places_vertices_itself() const;
   void note_overlay_array(int slot);
   bool is_overlaid(const MeshKey& mesh, int position_slot);
@@ -74,6 +76,7 @@ class MeshWatch {
   const Environment& env_;
   mutable MeshTable table_;
   Overlays overlays_;
+  std::unordered_map<MeshKey, bool, MeshKeyHash> moves_by_offsets_;  // by the array of the normals
 };
 
 }  // namespace glark::core

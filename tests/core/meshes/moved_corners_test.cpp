@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// --refine smooth: thick lines that a program draws as quads. Each vertex has the other end of its line, and its own side,
-// in an attribute with the name of a normal.
+// --refine smooth: quads whose corners are moved by an attribute with the name of a normal. It has the other end of a thick
+// line, or an offset from the middle of a ball.
 #include <array>
 #include <vector>
 
@@ -57,6 +57,38 @@ std::vector<Picture> frames_of_lines() {
 TEST(ThickLines, AreNoSurface) {
   ASSERT_TRUE(as_under_glark_run);
   const std::vector<Picture> frames = frames_of_lines();
+  EXPECT_GT(covered_pixels(frames[0]), 100);
+  EXPECT_TRUE(frames[4] == frames[0]);
+}
+
+// Squares whose corners have the position of the middle. The normal moves them away from it. `length`: of the normals.
+std::vector<Picture> frames_of_squares(GLfloat length) {
+  const OsmesaContext context{Profile::core};
+  glUseProgram(link_program(
+      {.vertex = "#version 430\nin vec3 position; in vec3 normal; out vec2 at;\n"
+                 "void main() { at = normal.xy; gl_Position = vec4(position + normal * 0.5, 1.0); }\n",
+       .fragment = "#version 430\nin vec2 at; out vec4 color;\nvoid main() { color = vec4(1.0, abs(at), 1.0); }\n",
+       .attributes = {"position", "normal"}}));
+  GLuint vertex_array = 0;
+  glGenVertexArrays(1, &vertex_array);
+  glBindVertexArray(vertex_array);
+  const GLfloat side = length * 0.7071F;
+  std::vector<std::array<GLfloat, 6>> vertices;
+  for (const auto& [x, y] : {std::pair(-1, -1), {1, -1}, {-1, 1}, {-1, 1}, {1, -1}, {1, 1}}) {
+    vertices.push_back({0, 0, 0, side * static_cast<GLfloat>(x), side * static_cast<GLfloat>(y), 0});
+  }
+  make_buffer(GL_ARRAY_BUFFER, vertices);
+  for (const GLuint location : {0U, 1U}) {
+    glVertexAttribPointer(location, 3, GL_FLOAT, GL_FALSE, 24, byte_offset(12 * location));
+    glEnableVertexAttribArray(location);
+  }
+  glEnable(GL_DEPTH_TEST);
+  return draw_frames(5, [] { glDrawArrays(GL_TRIANGLES, 0, 6); });
+}
+
+TEST(SquaresOfOffsets, AreNoSurface) {
+  ASSERT_TRUE(as_under_glark_run);
+  const std::vector<Picture> frames = frames_of_squares(0.8F);
   EXPECT_GT(covered_pixels(frames[0]), 100);
   EXPECT_TRUE(frames[4] == frames[0]);
 }
