@@ -46,6 +46,7 @@ struct MeshPassFacts {
   std::uint64_t triangles = 0;  // of the draw, or a bound; 0: not known
   GLuint framebuffer = 0;
   std::uint64_t stencil = Framebuffers::unknown_stencil;
+  bool fragment_depth = false;  // the fragment stage computes the depth
 };
 
 // `cause`: why the draw cannot be curved; empty if it can. Returns nothing if the draw says nothing about its mesh: it

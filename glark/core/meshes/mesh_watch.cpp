@@ -68,7 +68,8 @@ std::optional<Cause> MeshWatch::judge(const DrawCall& call, const Inputs& inputs
                                             .color_buffer = framebuffers.bound_has_colors(env_.gl, env_.errors),
                                             .triangles = call.triangles,
                                             .framebuffer = framebuffers.bound_name(),
-                                            .stencil = framebuffers.bound_stencil(env_.gl, env_.errors)},
+                                            .stencil = framebuffers.bound_stencil(env_.gl, env_.errors),
+                                            .fragment_depth = computes_depth(call)},
                                            cause);
   const bool matters = pass && (pass->curves || pass->uses_depth || pass->must_meet());
   if (!matters) {
@@ -81,6 +82,17 @@ std::optional<Cause> MeshWatch::judge(const DrawCall& call, const Inputs& inputs
   return call.list_segment != 0 ? ask(mesh_of_list(call.list_segment), *pass, cause)
          : call.from_arrays     ? judge_arrays(inputs, *pass, cause)
                                 : judge_loose(*pass, cause);
+}
+
+// Only asked for quads without colours: it reads the source.
+bool MeshWatch::computes_depth(const DrawCall& call) const {
+  const Program* current = env_.state.programs().current().get();
+  const bool shows = env_.bindings().color_writes && env_.state.framebuffers().bound_has_colors(env_.gl, env_.errors);
+  const bool quad = call.triangles > 0 && call.triangles <= 2;
+  return !shows && quad && current != nullptr &&
+         std::any_of(current->stages.begin(), current->stages.end(), [](const StageSource& source) {
+           return source.stage == GL_FRAGMENT_SHADER && source.source->find("gl_FragDepth") != std::string::npos;
+         });
 }
 
 std::optional<Cause> MeshWatch::judge_loose(const MeshPass& pass, std::optional<Cause> cause) {

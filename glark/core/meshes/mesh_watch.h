@@ -53,6 +53,7 @@ class MeshWatch {
  private:
   std::optional<Cause> judge_loose(const MeshPass& pass, std::optional<Cause> cause);  // from glBegin..glEnd
   std::optional<Cause> judge_arrays(const Inputs& inputs, MeshPass pass, std::optional<Cause> cause);
+  bool computes_depth(const DrawCall& call) const;
   void note_overlay(const DrawCall& call, const MeshPass& pass);
   bool is_moved_by_offsets(const DrawCall& call, const Inputs& inputs);
   bool places_vertices_itself() const;

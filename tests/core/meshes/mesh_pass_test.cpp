@@ -88,6 +88,19 @@ TEST_F(MeshPasses, EqualMustMeet) {
   EXPECT_FALSE(pass().must_meet());
 }
 
+// It copies a shadow map into another one, which was just cleared.
+TEST_F(MeshPasses, AQuadWhoseFragmentsComputeDepthPreparesNothing) {
+  bindings_.color_writes = false;
+  bindings_.depth_function = GL_LEQUAL;
+  MeshPassFacts facts{.bindings = bindings_, .triangles = 2, .fragment_depth = true};
+  EXPECT_FALSE(mesh_pass(facts, Cause::no_surface));
+  facts.fragment_depth = false;
+  EXPECT_TRUE(mesh_pass(facts, Cause::no_surface)->prepares());
+  facts.fragment_depth = true;
+  facts.triangles = 3;
+  EXPECT_TRUE(mesh_pass(facts, Cause::no_surface)->prepares());
+}
+
 TEST_F(MeshPasses, StrictComparisonsMeetNothing) {
   for (const auto& [function, meets] : {std::pair(GL_LESS, false),
                                         {GL_GREATER, false},
