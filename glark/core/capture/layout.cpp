@@ -118,15 +118,28 @@ Field* find_told(std::vector<Field>& fields, const std::string& told) {
   return found != fields.end() ? &*found : nullptr;
 }
 
+// ANGLE, which draws the pages of browsers, puts "_u" before each name: "vPosition" is "_uvPosition" and has no "uv".
+constexpr std::string_view angle_prefix = "_u";
+
+bool are_named_by_angle(const std::vector<Field>& fields) {
+  return std::ranges::all_of(
+      fields, [](const Field& field) { return is_builtin(field) || field.name.starts_with(angle_prefix); });
+}
+
+std::string words_of_name(const Field& field, bool by_angle) {
+  return lower_case(by_angle && !is_builtin(field) ? field.name.substr(angle_prefix.size()) : field.name);
+}
+
 Field* find_by_name(std::vector<Field>& fields, const RoleRule& rule) {
   for (Field& field : fields) {
     if (field.name == rule.builtin) {
       return &field;
     }
   }
+  const bool by_angle = are_named_by_angle(fields);
   for (const std::string_view word : rule.words) {
     for (Field& field : fields) {
-      if (field.role == Role::other && rule.fits(field) && contains(lower_case(field.name), word)) {
+      if (field.role == Role::other && rule.fits(field) && contains(words_of_name(field, by_angle), word)) {
         return &field;
       }
     }
@@ -141,8 +154,8 @@ Field* find_at(std::vector<Field>& fields, int location) {
   return found != fields.end() ? &*found : nullptr;
 }
 
-bool names_something_else(const Field& field) {
-  const std::string name = lower_case(field.name);
+bool names_something_else(const Field& field, bool by_angle) {
+  const std::string name = words_of_name(field, by_angle);
   return std::ranges::any_of(
       std::initializer_list<std::string_view>{"col",    "rgb",   "tan",  "bin",   "bitan",    "tex",     "uv",
                                               "weight", "joint", "bone", "vel",   "off",      "size",    "scale",
@@ -152,10 +165,11 @@ bool names_something_else(const Field& field) {
 
 // Programs that number their attributes have the normal at location 1 or 2; a vec4 is more often a colour.
 Field* guess_normal(std::vector<Field>& fields) {
+  const bool by_angle = are_named_by_angle(fields);
   Field* found = nullptr;
   for (const int location : {1, 2}) {
     Field* const candidate = find_at(fields, location);
-    if (candidate == nullptr || candidate->type != GL_FLOAT_VEC3 || names_something_else(*candidate)) {
+    if (candidate == nullptr || candidate->type != GL_FLOAT_VEC3 || names_something_else(*candidate, by_angle)) {
       continue;
     }
     if (found != nullptr) {

@@ -17,9 +17,12 @@ bool is_user_interface(Cause cause) {
   return cause == Cause::screen_quad || cause == Cause::overlay || cause == Cause::orthographic;
 }
 
-// A quad that sets the depth of all its pixels, whatever lies there, clears depth or copies it from a texture.
-bool sets_depth_of_screen(const Bindings& b, std::uint64_t triangles) {
-  return triangles > 0 && triangles <= 2 && b.depth_function == GL_ALWAYS && !b.stencil_test;
+// A quad that sets the depth of all its pixels, whatever lies there, clears depth or copies it from a texture. So does one
+// whose fragment stage computes the depth, perhaps into a shadow map that was just cleared.
+bool sets_depth_of_screen(const MeshPassFacts& facts) {
+  const Bindings& b = facts.bindings;
+  const bool sets = b.depth_function == GL_ALWAYS || (facts.fragment_depth && b.depth_function != GL_EQUAL);
+  return facts.triangles > 0 && facts.triangles <= 2 && sets && !b.stencil_test;
 }
 
 // Draws that compare strictly never lie on an earlier one, unless an offset moves one of them.
@@ -48,7 +51,7 @@ std::optional<MeshPass> mesh_pass(const MeshPassFacts& facts, std::optional<Caus
     return std::nullopt;
   }
   const bool shows = b.color_writes && facts.color_buffer;
-  if (cause == Cause::no_surface && !shows && sets_depth_of_screen(b, facts.triangles)) {
+  if (cause == Cause::no_surface && !shows && sets_depth_of_screen(facts)) {
     return std::nullopt;
   }
   MeshPass pass;
@@ -59,8 +62,9 @@ std::optional<MeshPass> mesh_pass(const MeshPassFacts& facts, std::optional<Caus
   pass.equal = tests && b.depth_function == GL_EQUAL;
   pass.meets_depth = tests && may_lie_on_others(b);
   pass.shows = shows;
-  pass.marks = b.stencil_test;
+  pass.marks = b.stencil_test && facts.stencil != 0;
   pass.behind = cause == Cause::budget;
+  pass.stencil = facts.stencil;
   pass.target = target_of(facts.framebuffer, b.viewport);
   if (cause == Cause::not_triangles) {
     pass.lines = true;

@@ -9,6 +9,7 @@
 
 #include "glark/core/report/cause.h"
 #include "glark/core/state/bindings.h"
+#include "glark/core/state/framebuffers.h"
 
 namespace glark::core {
 
@@ -22,12 +23,13 @@ struct MeshPass {
   bool equal = false;         // it is drawn only where an earlier pass left the same depth
   bool meets_depth = false;   // the picture depends on whether it lies on an earlier pass to the bit
   bool shows = true;          // it writes colours
-  bool marks = false;         // it may write the stencil buffer
+  bool marks = false;         // it may read or write the stencil buffer
   bool lines = false;         // or points: they lie near a surface, not on it to the bit
   bool behind = false;        // a background: it says nothing about other meshes of its source
   bool lone = false;          // one polygon between glBegin and glEnd, in display lists, too
   bool open = false;          // glEnd will tell whether it is one
   std::uint64_t target = 0;   // the framebuffer, and the size of the viewport; not 0
+  std::uint64_t stencil = 0;  // Framebuffers::bound_stencil
 
   // Without colours, a draw is there only for other draws: it lays down depth or stencil values for them.
   bool prepares() const { return !shows && !lines && (writes_depth || marks); }
@@ -43,6 +45,8 @@ struct MeshPassFacts {
   bool color_buffer = true;     // the framebuffer has one that is drawn to
   std::uint64_t triangles = 0;  // of the draw, or a bound; 0: not known
   GLuint framebuffer = 0;
+  std::uint64_t stencil = Framebuffers::unknown_stencil;
+  bool fragment_depth = false;  // the fragment stage computes the depth
 };
 
 // `cause`: why the draw cannot be curved; empty if it can. Returns nothing if the draw says nothing about its mesh: it

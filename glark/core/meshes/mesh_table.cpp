@@ -24,7 +24,7 @@ MeshVerdict MeshTable::draw(const MeshKey& key, const MeshPass& pass) {
   if (pass.compiles) {
     return delay(key, mesh, pass);
   }
-  const bool enough = watched(key, mesh, pass);
+  const bool enough = watched(key, mesh, pass) && !meets_flat_depth(mesh, pass);
   note(mesh, key == loose_mesh, pass);
   const MeshVerdict verdict = mesh.flat         ? MeshVerdict::flat
                               : partners_.any() ? MeshVerdict::unknown_partner
@@ -35,6 +35,11 @@ MeshVerdict MeshTable::draw(const MeshKey& key, const MeshPass& pass) {
     source_for(key).curved = true;
   }
   return verdict;
+}
+
+// A browser shows its window while a page is not ready: then this frame's pass meets the depths of the last frame.
+bool MeshTable::meets_flat_depth(const Mesh& mesh, const MeshPass& pass) const {
+  return pass.equal && mesh.written != frame_ && mesh.curved != mesh.written;
 }
 
 // Nobody knows yet whether the pass can be curved. It is there for the passes that must meet it.
@@ -91,8 +96,8 @@ MeshTable::Mesh& MeshTable::find(const MeshKey& key) {
 
 void MeshTable::note(Mesh& mesh, bool loose, const MeshPass& pass) {
   partners_.draw(pass, mesh.preparation);
-  // Nothing in this frame has left the depth that the pass must meet.
-  if (pass.equal && mesh.written != frame_) {
+  // Nothing has left the depth that the pass must meet.
+  if (pass.equal && !is_recent(mesh.written)) {
     partners_.doubt();
   }
   // One of the loose draws is flat, perhaps the very one that the pass must meet.

@@ -51,6 +51,8 @@ class MeshTable {
   // Notes a pass over the mesh and returns what holds for it. If the pass cannot be curved itself, the verdict is
   // flat or tells about the other passes.
   MeshVerdict draw(const MeshKey& key, const MeshPass& pass);
+  // Something that cannot be curved lies on the mesh.
+  void keep_flat(const MeshKey& key) { find(key).flat = true; }
   // glEnd of a pass without identity that said it was open.
   void loose_ended(std::uint64_t triangles);
   // The normals that a pass over the mesh reads. Other passes may use them, too.
@@ -108,6 +110,7 @@ class MeshTable {
   void count_frame(Drawn& drawn);
   static bool lasts(const MeshKey& key) { return source_of(key) == MeshSource::buffer || key == loose_mesh; }
   Source& source_for(const MeshKey& key) { return sources_[static_cast<std::size_t>(source_of(key))]; }
+  bool meets_flat_depth(const Mesh& mesh, const MeshPass& pass) const;
   MeshVerdict delay(const MeshKey& key, Mesh& mesh, const MeshPass& pass);
   bool watched(const MeshKey& key, Mesh& mesh, const MeshPass& pass);
   bool is_recent(std::uint64_t frame) const { return frame != never && frame + 1 >= frame_; }

@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "glark/core/capture/layout.h"
+#include "glark/core/meshes/buffer_points.h"
+#include "glark/core/meshes/directions.h"
 #include "glark/core/state/lists/display_list.h"
 #include "glark/core/state/programs/derived_program.h"
 
@@ -57,7 +59,7 @@ bool may_make_normals(const ContextOptions& options, const std::vector<capture::
 std::optional<Cause> MeshWatch::judge(const DrawCall& call, const Inputs& inputs, std::optional<Cause> cause) {
   const bool lone_polygon = is_lone_polygon(call);
   const bool may_curve = !cause || cause == Cause::compiling;
-  if (may_curve && (lone_polygon || (!cause && !has_normals(call, inputs)))) {
+  if (may_curve && (lone_polygon || (!cause && (!has_normals(call, inputs) || is_moved_by_offsets(call, inputs))))) {
     cause = Cause::no_surface;
   }
   Framebuffers& framebuffers = env_.state.framebuffers();
@@ -65,7 +67,9 @@ std::optional<Cause> MeshWatch::judge(const DrawCall& call, const Inputs& inputs
                                             .depth_buffer = framebuffers.bound_has_depth(env_.gl, env_.errors),
                                             .color_buffer = framebuffers.bound_has_colors(env_.gl, env_.errors),
                                             .triangles = call.triangles,
-                                            .framebuffer = framebuffers.bound_name()},
+                                            .framebuffer = framebuffers.bound_name(),
+                                            .stencil = framebuffers.bound_stencil(env_.gl, env_.errors),
+                                            .fragment_depth = computes_depth(call)},
                                            cause);
   const bool matters = pass && (pass->curves || pass->uses_depth || pass->must_meet());
   if (!matters) {
@@ -74,9 +78,21 @@ std::optional<Cause> MeshWatch::judge(const DrawCall& call, const Inputs& inputs
   pass->made = pass->curves && has_made_normals(inputs.fields);
   pass->lone = lone_polygon;
   pass->open = call.triangles == 0;
+  note_overlay(call, *pass);
   return call.list_segment != 0 ? ask(mesh_of_list(call.list_segment), *pass, cause)
          : call.from_arrays     ? judge_arrays(inputs, *pass, cause)
                                 : judge_loose(*pass, cause);
+}
+
+// Only asked for quads without colours: it reads the source.
+bool MeshWatch::computes_depth(const DrawCall& call) const {
+  const Program* current = env_.state.programs().current().get();
+  const bool shows = env_.bindings().color_writes && env_.state.framebuffers().bound_has_colors(env_.gl, env_.errors);
+  const bool quad = call.triangles > 0 && call.triangles <= 2;
+  return !shows && quad && current != nullptr &&
+         std::any_of(current->stages.begin(), current->stages.end(), [](const StageSource& source) {
+           return source.stage == GL_FRAGMENT_SHADER && source.source->find("gl_FragDepth") != std::string::npos;
+         });
 }
 
 std::optional<Cause> MeshWatch::judge_loose(const MeshPass& pass, std::optional<Cause> cause) {
@@ -96,6 +112,9 @@ std::optional<Cause> MeshWatch::judge_arrays(const Inputs& inputs, MeshPass pass
       note_normals(mesh, slot, *fields);
     }
     pass.lacks_normal = cause == Cause::no_surface;
+    if (pass.curves && is_overlaid(mesh, slot)) {
+      table_.keep_flat(mesh);
+    }
     return ask(mesh, pass, cause);
   }
   for (const capture::Field& field : *fields) {
@@ -104,6 +123,71 @@ std::optional<Cause> MeshWatch::judge_arrays(const Inputs& inputs, MeshPass pass
     }
   }
   return cause;
+}
+
+// The stage moves vertices by the normal, and this one is an offset.
+bool MeshWatch::is_moved_by_offsets(const DrawCall& call, const Inputs& inputs) {
+  const Program* current = env_.state.programs().current().get();
+  const refine::OutputVariation* position = current != nullptr ? current->traits.variation.position() : nullptr;
+  const capture::Field* normal = capture::find_role(*inputs.fields, capture::Role::normal);
+  if (position == nullptr || normal == nullptr || !position->inputs.contains(normal->name) || !call.from_arrays ||
+      slot_of(*normal) == no_slot) {
+    return false;
+  }
+  const AttributeSource& source = env_.state.arrays().attribute_source(slot_of(*normal));
+  if (!has_points(source)) {
+    return false;
+  }
+  const auto [entry, added] = moves_by_offsets_.try_emplace(mesh_of(source, packed_stride(source.size, source.type)));
+  if (added) {
+    entry->second = !are_directions(read_points(env_.gl, env_.errors, source));
+  }
+  return entry->second;
+}
+
+// The vertex stage does more than to transform positions. So it makes quads of thick lines.
+bool MeshWatch::places_vertices_itself() const {
+  const Program* current = env_.state.programs().current().get();
+  const refine::OutputVariation* position = current != nullptr ? current->traits.variation.position() : nullptr;
+  return position != nullptr && position->variation > refine::Variation::affine;
+}
+
+// Lines may lie on a mesh, also those that are drawn as quads. Thick lines have two arrays with points, one for each end.
+void MeshWatch::note_overlay(const DrawCall& call, const MeshPass& pass) {
+  const bool may_lie_on_meshes =
+      pass.shows && pass.uses_depth && !pass.curves && !pass.compiles && (pass.lines || places_vertices_itself());
+  if (!may_lie_on_meshes || !call.from_arrays || call.list_segment != 0 || call.mode == GL_POINTS) {
+    return;
+  }
+  const int count = std::min(env_.capabilities.max_vertex_attributes, generic_slots);
+  for (int slot = 0; slot < count; ++slot) {
+    note_overlay_array(slot);
+  }
+  if (env_.capabilities.is_compatibility()) {
+    note_overlay_array(vertex_slot);
+  }
+}
+
+void MeshWatch::note_overlay_array(int slot) {
+  const AttributeSource& source = env_.state.arrays().attribute_source(slot);
+  if (has_points(source)) {
+    const MeshKey key = mesh_of(source, packed_stride(source.size, source.type));
+    if (overlays_.wants_overlay(key)) {
+      overlays_.add_overlay(key, read_points(env_.gl, env_.errors, source));
+    }
+  }
+}
+
+bool MeshWatch::is_overlaid(const MeshKey& mesh, int position_slot) {
+  const int slot = slot_in_use(position_slot);
+  if (slot == no_slot) {
+    return false;
+  }
+  const AttributeSource& source = env_.state.arrays().attribute_source(slot);
+  if (has_points(source) && overlays_.wants_mesh(mesh)) {
+    overlays_.add_mesh(mesh, read_points(env_.gl, env_.errors, source));
+  }
+  return overlays_.covers(mesh);
 }
 
 std::optional<Cause> MeshWatch::ask(const MeshKey& key, const MeshPass& pass, std::optional<Cause> cause) {

@@ -5,11 +5,13 @@
 #pragma once
 
 #include <optional>
+#include <unordered_map>
 #include <vector>
 
 #include "glark/core/capture/draw_call.h"
 #include "glark/core/capture/record.h"
 #include "glark/core/meshes/mesh_table.h"
+#include "glark/core/meshes/overlays.h"
 #include "glark/core/report/cause.h"
 #include "glark/core/state/environment.h"
 #include "glark/core/state/programs/derived_program.h"
@@ -51,6 +53,12 @@ class MeshWatch {
  private:
   std::optional<Cause> judge_loose(const MeshPass& pass, std::optional<Cause> cause);  // from glBegin..glEnd
   std::optional<Cause> judge_arrays(const Inputs& inputs, MeshPass pass, std::optional<Cause> cause);
+  bool computes_depth(const DrawCall& call) const;
+  void note_overlay(const DrawCall& call, const MeshPass& pass);
+  bool is_moved_by_offsets(const DrawCall& call, const Inputs& inputs);
+  bool places_vertices_itself() const;
+  void note_overlay_array(int slot);
+  bool is_overlaid(const MeshKey& mesh, int position_slot);
   // The stage reads no normal: finds an array that holds the normals of its mesh, or the normals of its list.
   ChosenNormal unread_normal(const DrawCall& call, const std::vector<capture::Field>& fields) const;
   bool makes_normals(const DrawCall& call, const std::vector<capture::Field>& fields) const;
@@ -68,6 +76,8 @@ class MeshWatch {
 
   const Environment& env_;
   mutable MeshTable table_;
+  Overlays overlays_;
+  std::unordered_map<MeshKey, bool, MeshKeyHash> moves_by_offsets_;  // by the array of the normals
 };
 
 }  // namespace glark::core

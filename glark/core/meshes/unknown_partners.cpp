@@ -12,9 +12,12 @@ void UnknownPartners::draw(const MeshPass& pass, Preparation& mesh) {
     doubt();
   }
   if (pass.meets_depth) {
-    for (Lid& lid : lids_) {
-      lid.met = lid.met || lid.target == pass.target;
+    for (Prepared& lid : prepared_) {
+      lid.met = lid.met || lid.place == MeetingPlace{pass.target, false};
     }
+  }
+  if (pass.marks && (pass.curves || pass.compiles)) {
+    note_stencil(pass.stencil);
   }
   if (pass.shows) {
     mesh.shown = frame_;
@@ -23,22 +26,22 @@ void UnknownPartners::draw(const MeshPass& pass, Preparation& mesh) {
 }
 
 void UnknownPartners::prepare(const MeshPass& pass, Preparation& mesh) {
-  const bool lid = is_lid(pass);
-  if (lid) {
-    note_lid(pass.target, false);
+  const MeetingPlace place = place_of(pass);
+  if (place.buffer != 0) {
+    note_place(place, false);
   }
   if (mesh.prepared != frame_) {
     mesh.prepared = frame_;
-    mesh.lid = lid ? pass.target : 0;
+    mesh.place = place;
     preparing_.push_back(&mesh);
-  } else if (!lid || mesh.lid != pass.target) {
-    mesh.lid = 0;
+  } else if (!(mesh.place == place)) {
+    mesh.place = {};
   }
 }
 
 bool UnknownPartners::prepare_loose(const MeshPass& pass) {
-  if (is_lid(pass)) {
-    note_lid(pass.target, true);
+  if (const MeetingPlace place = place_of(pass); place.buffer != 0) {
+    note_place(place, true);
     return true;
   }
   const bool may_be_lone = (pass.lone || pass.open) && !pass.marks && !pass.equal;
@@ -68,20 +71,41 @@ bool UnknownPartners::is_lid(const MeshPass& pass) const {
   return pass.writes_depth && !pass.marks && !pass.meets_depth && shown_target_ != 0 && pass.target == shown_target_;
 }
 
-void UnknownPartners::note_lid(std::uint64_t target, bool loose) {
-  const auto same = [&](const Lid& lid) { return lid.target == target && lid.loose == loose; };
-  if (std::none_of(lids_.begin(), lids_.end(), same)) {
-    lids_.push_back({target, loose});
+MeetingPlace UnknownPartners::place_of(const MeshPass& pass) const {
+  const bool mask = pass.marks && !pass.uses_depth && pass.stencil != Framebuffers::unknown_stencil;
+  return mask ? MeetingPlace{pass.stencil, true} : is_lid(pass) ? MeetingPlace{pass.target, false} : MeetingPlace{};
+}
+
+// A browser's window may end the frame between the draws of a page, so the last frame counts, too.
+void UnknownPartners::note_stencil(std::uint64_t stencil) {
+  for (Prepared& mask : prepared_) {
+    mask.met = mask.met || mask.place == MeetingPlace{stencil, true};
+  }
+  const auto same = [&](const CurvedInStencil& one) { return one.stencil == stencil; };
+  if (const auto found = std::find_if(stencils_.begin(), stencils_.end(), same); found != stencils_.end()) {
+    found->frame = frame_;
+  } else {
+    stencils_.push_back({stencil, frame_});
   }
 }
 
-bool UnknownPartners::is_met(std::uint64_t target) const {
-  return std::any_of(lids_.begin(), lids_.end(), [&](const Lid& lid) { return lid.target == target && lid.met; });
+void UnknownPartners::note_place(const MeetingPlace& place, bool loose) {
+  const auto same = [&](const Prepared& one) { return one.place == place && one.loose == loose; };
+  if (std::none_of(prepared_.begin(), prepared_.end(), same)) {
+    const bool met = place.mask && std::any_of(stencils_.begin(), stencils_.end(),
+                                               [&](const CurvedInStencil& one) { return one.stencil == place.buffer; });
+    prepared_.push_back({place, loose, met});
+  }
+}
+
+bool UnknownPartners::is_met(const MeetingPlace& place) const {
+  return std::any_of(prepared_.begin(), prepared_.end(),
+                     [&](const Prepared& one) { return one.place == place && one.met; });
 }
 
 void UnknownPartners::frame_finished() {
   for (Preparation* mesh : preparing_) {
-    const bool known = mesh->shown != 0 || (mesh->lid != 0 && !is_met(mesh->lid));
+    const bool known = mesh->shown != 0 || (mesh->place.buffer != 0 && !is_met(mesh->place));
     if (known) {
       continue;
     }
@@ -90,11 +114,12 @@ void UnknownPartners::frame_finished() {
     }
     mesh->doubted_until = frame_ + frames_of_doubt;
   }
-  if (std::any_of(lids_.begin(), lids_.end(), [](const Lid& lid) { return lid.loose && lid.met; })) {
+  if (std::any_of(prepared_.begin(), prepared_.end(), [](const Prepared& one) { return one.loose && one.met; })) {
     doubt();
   }
   preparing_.clear();
-  lids_.clear();
+  prepared_.clear();
+  std::erase_if(stencils_, [this](const CurvedInStencil& one) { return one.frame < frame_; });
   shown_target_ = 0;
   lone_polygons_ = 0;
   ++frame_;

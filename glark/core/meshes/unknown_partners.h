@@ -10,6 +10,8 @@
 // - A lid: its depth hides what lies behind it, as the bottom of a hole does. Draws that compare strictly (GL_LESS)
 //   cannot lie on it to the bit, because they would vanish in the picture without glark, too. A lid is drawn beside
 //   things that show. So the depths of a shadow map, which is copied or read later, are no lid.
+// - A mask: it only marks pixels in the stencil buffer, whatever their depth. Browsers and toolkits fill shapes so. Only
+//   draws that use the same stencil buffer can meet it. If none of them is curved, nothing changes where they meet.
 // - A few polygons that glBegin..glEnd draw one by one: their colour passes stay as they are, too (mesh_watch.cpp).
 #pragma once
 
@@ -20,11 +22,18 @@
 
 namespace glark::core {
 
+// Where the passes are that a lid or a mask can meet.
+struct MeetingPlace {
+  std::uint64_t buffer = 0;  // MeshPass::target of a lid, MeshPass::stencil of a mask; 0: anywhere
+  bool mask = false;
+  bool operator==(const MeetingPlace&) const = default;
+};
+
 // What the passes over one mesh tell about its partners.
 struct Preparation {
   std::uint64_t shown = 0;          // the last frame in which a pass wrote colours; 0: none
   std::uint64_t prepared = 0;       // the last frame in which a flat pass prepared for others; 0: none
-  std::uint64_t lid = 0;            // MeshPass::target of the passes that did, if all of them were lids there
+  MeetingPlace place;               // of the passes that did, if all of them were lids or masks there
   std::uint64_t doubted_until = 0;  // the first frame that does not doubt it; 0: nobody doubts it
 };
 
@@ -47,22 +56,29 @@ class UnknownPartners {
   static constexpr unsigned few_lone_polygons = 16;  // in a frame
 
  private:
-  struct Lid {
-    std::uint64_t target = 0;
+  struct Prepared {
+    MeetingPlace place;
     bool loose = false;  // a draw without identity
-    bool met = false;    // a later draw may lie on it
+    bool met = false;    // a draw that may be curved meets it
+  };
+  struct CurvedInStencil {
+    std::uint64_t stencil = 0;
+    std::uint64_t frame = 0;  // the last one with a draw that may be curved and uses this stencil buffer
   };
   bool is_lid(const MeshPass& pass) const;
-  void note_lid(std::uint64_t target, bool loose);
-  bool is_met(std::uint64_t target) const;
+  MeetingPlace place_of(const MeshPass& pass) const;
+  void note_stencil(std::uint64_t stencil);
+  void note_place(const MeetingPlace& place, bool loose);
+  bool is_met(const MeetingPlace& place) const;
   bool is_one_of_few();
 
   std::uint64_t frame_ = 1;
   std::uint64_t doubted_until_ = 0;
-  std::uint64_t shown_target_ = 0;       // where this frame has shown something last; 0: nowhere
-  unsigned lone_polygons_ = 0;           // that prepared in this frame
-  bool open_ = false;                    // glEnd will tell whether the last pass was a lone polygon
-  std::vector<Lid> lids_;                // of this frame: one for each target and kind
+  std::uint64_t shown_target_ = 0;  // where this frame has shown something last; 0: nowhere
+  unsigned lone_polygons_ = 0;      // that prepared in this frame
+  bool open_ = false;               // glEnd will tell whether the last pass was a lone polygon
+  std::vector<Prepared> prepared_;  // lids and masks of this frame: one for each place and kind
+  std::vector<CurvedInStencil> stencils_;
   std::vector<Preparation*> preparing_;  // in this frame
   std::vector<Preparation*> doubted_;    // they have not shown so far
 };

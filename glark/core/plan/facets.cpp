@@ -16,9 +16,10 @@ bool shows_facets(const Environment& environment, const Program& program) {
   const refine::Interpolation most =
       shade_model == GL_FLAT ? refine::Interpolation::unless_flat_shaded : refine::Interpolation::never;
   const std::vector<refine::OutputVariation>& outputs = program.traits.variation.outputs;
-  return normal != nullptr && std::any_of(outputs.begin(), outputs.end(), [&](const refine::OutputVariation& output) {
-           return output.interpolation >= most && output.inputs.contains(normal->name);
-         });
+  return normal != nullptr && (program.traits.fragments_make_facets ||
+                               std::any_of(outputs.begin(), outputs.end(), [&](const refine::OutputVariation& output) {
+                                 return output.interpolation >= most && output.inputs.contains(normal->name);
+                               }));
 }
 
 }  // namespace glark::core

@@ -12,6 +12,18 @@ GLint attachment_type(const gl::Dispatch& gl, GLenum attachment) {
   return type;
 }
 
+// Renderbuffers and textures may have the same names.
+std::uint64_t stencil_of(const gl::Dispatch& gl, GLint framebuffer) {
+  const GLint type = attachment_type(gl, framebuffer == 0 ? GL_STENCIL : GL_STENCIL_ATTACHMENT);
+  if (type == GL_NONE || framebuffer == 0) {
+    return type == GL_NONE ? 0 : Framebuffers::window_stencil;
+  }
+  GLint name = 0;
+  gl.GetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, GL_STENCIL_ATTACHMENT,
+                                         GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME, &name);
+  return static_cast<std::uint64_t>(type) << 32U | static_cast<GLuint>(name);
+}
+
 // Draw buffer 0 stands for all of them. Window systems' framebuffers have colours.
 bool draws_colors(const gl::Dispatch& gl, GLint framebuffer) {
   GLint buffer = GL_NONE;
@@ -31,9 +43,10 @@ void Framebuffers::look_up(const gl::Dispatch& gl, PendingError& errors) {
   gl.GetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
   const bool depth = attachment_type(gl, bound == 0 ? GL_DEPTH : GL_DEPTH_ATTACHMENT) != GL_NONE;
   const bool colors = draws_colors(gl, bound);
+  const std::uint64_t stencil = stencil_of(gl, bound);
   const bool unknown = scope.take() != GL_NO_ERROR;
   bound_ = static_cast<GLuint>(bound);
-  answer_ = &(answers_[bound_] = {depth || unknown, colors || unknown});
+  answer_ = &(answers_[bound_] = {depth || unknown, colors || unknown, unknown ? unknown_stencil : stencil});
 }
 
 }  // namespace glark::core

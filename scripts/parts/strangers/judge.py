@@ -26,14 +26,18 @@ HERE = pathlib.Path(__file__).resolve().parent
 sys.path.append(str(HERE.parent))
 import breakage
 import contact_sheet
+import pages
 import panel
 from recording import Failure, on_display, read_frames, run
 from models import write_models
 from refined_share import life, percent, share_text
-from programs import MODELS, PROGRAMS, Stranger
+import programs
+from programs import MODELS, Stranger
+from sixth_round import MET_SIXTH
 from remarks import REMARKS
 
 ROOT = HERE.parent.parent.parent
+PROGRAMS = [*programs.PROGRAMS, *MET_SIXTH]
 LEVEL = 2
 NUMBERS = ("vanished", "appeared", "stripes", "strays")
 MARKS = ("<!-- programs: written by scripts/strangers --write -->", "<!-- end of programs -->")
@@ -68,8 +72,11 @@ def record(program: Stranger, folder: pathlib.Path, slow: float) -> list:
     if not trace.exists():
         home = folder / "home"
         home.mkdir(exist_ok=True)
-        command = ["apitrace", "trace", "--api", "egl" if program.egl else "gl", "-o", str(whole),
-                   *(word.replace(MODELS, str(folder / "models")) for word in program.command)]
+        words = [word.replace(MODELS, str(folder / "models")) for word in program.command]
+        missing = [page for page in re.findall(r"file://(\S+)", " ".join(words)) if not pathlib.Path(page).exists()]
+        if missing:
+            raise Failure(f"no page {missing[0]}; --install makes it")
+        command = ["apitrace", "trace", "--api", "egl" if program.egl else "gl", "-o", str(whole), *words]
         log = file_of(program, folder, ".record.log")
         run(on_display(with_keys(program, command), "--seconds", str(program.seconds * slow), "--screenshot",
                        str(file_of(program, folder, ".ppm"))),
@@ -202,9 +209,9 @@ def examine_panel(program: Stranger, folder: pathlib.Path, arguments: argparse.N
 
 def judge_panel(arguments: argparse.Namespace) -> int:
     """The work of --panel. Results are apart from those of the four numbers."""
-    programs = [program for program in PROGRAMS if installed(program) and (not arguments.only or program.name in arguments.only)]
+    chosen = [program for program in PROGRAMS if installed(program) and (not arguments.only or program.name in arguments.only)]
     results = []
-    for program in programs:
+    for program in chosen:
         result = {"name": program.name}
         try:
             record(program, arguments.folder, arguments.slow)
@@ -213,7 +220,7 @@ def judge_panel(arguments: argparse.Namespace) -> int:
             result["failure"] = str(failure)
         results.append(result)
         print(result, flush=True)
-    rows = [file_of(program, arguments.folder, ".panel.png") for program in programs]
+    rows = [file_of(program, arguments.folder, ".panel.png") for program in chosen]
     contact_sheet.join([row for row in rows if row.exists()], arguments.folder, "panel")
     print(panel.summary(results))
     return 0 if all("left_out" in result or panel.is_healthy(result) for result in results) else 1
@@ -367,9 +374,13 @@ def main() -> int:
         for program in PROGRAMS:
             print(program.name, " ".join(program.packages), "installed" if installed(program) else "absent", sep=" | ")
         return 0
-    write_models(arguments.folder / "models")
     if arguments.install:
-        install([program for program in PROGRAMS if not arguments.only or program.name in arguments.only])
+        chosen = [program for program in PROGRAMS if not arguments.only or program.name in arguments.only]
+        install(chosen)
+        if any("npm" in program.packages for program in chosen):
+            pages.install(arguments.folder / "npm")
+    write_models(arguments.folder / "models")
+    pages.write_pages(arguments.folder / "npm", arguments.folder / "models" / "pages")
     if arguments.panel:
         return judge_panel(arguments)
     if not arguments.sheet:

@@ -46,6 +46,13 @@ TEST(Roles, APartOfALongerWordIsNoName) {
   EXPECT_EQ(roles({"vertex_pos", "vertex2"}), "vertex_pos - -");
 }
 
+TEST(Roles, WhatAngleAddsToNamesIsNoWord) {
+  EXPECT_EQ(roles({"_uvertex_position", "_uvertex_normal", "_uvertex_texCoord0_2"}),
+            "_uvertex_position _uvertex_normal _uvertex_texCoord0_2");
+  EXPECT_EQ(roles({"_uvPosition", "_uvNormal", "_uuv2"}), "_uvPosition _uvNormal _uuv2");
+  EXPECT_EQ(roles({"position", "_uv2"}), "position - _uv2") << "not all names have it";
+}
+
 TEST(Roles, AreGuessedByLocation) {
   EXPECT_EQ(roles({"a", "b", "c2"}), "a b -");
   EXPECT_EQ(roles({"a", "b2", "c"}), "a c -");

@@ -44,6 +44,14 @@ TEST_F(MeshPasses, APreparationHasNoColors) {
   EXPECT_TRUE(pass().prepares());
 }
 
+TEST_F(MeshPasses, WithoutAStencilBufferNothingIsMarked) {
+  bindings_.stencil_test = true;
+  MeshPassFacts facts{bindings_};
+  EXPECT_TRUE(mesh_pass(facts, std::nullopt)->marks);
+  facts.stencil = 0;
+  EXPECT_FALSE(mesh_pass(facts, std::nullopt)->marks);
+}
+
 TEST_F(MeshPasses, AShadowMapHasNoColors) {
   color_buffer_ = false;
   EXPECT_TRUE(pass().prepares());
@@ -78,6 +86,19 @@ TEST_F(MeshPasses, EqualMustMeet) {
   EXPECT_TRUE(pass().must_meet());
   bindings_.depth_test = false;
   EXPECT_FALSE(pass().must_meet());
+}
+
+// It copies a shadow map into another one, which was just cleared.
+TEST_F(MeshPasses, AQuadWhoseFragmentsComputeDepthPreparesNothing) {
+  bindings_.color_writes = false;
+  bindings_.depth_function = GL_LEQUAL;
+  MeshPassFacts facts{.bindings = bindings_, .triangles = 2, .fragment_depth = true};
+  EXPECT_FALSE(mesh_pass(facts, Cause::no_surface));
+  facts.fragment_depth = false;
+  EXPECT_TRUE(mesh_pass(facts, Cause::no_surface)->prepares());
+  facts.fragment_depth = true;
+  facts.triangles = 3;
+  EXPECT_TRUE(mesh_pass(facts, Cause::no_surface)->prepares());
 }
 
 TEST_F(MeshPasses, StrictComparisonsMeetNothing) {

@@ -248,6 +248,22 @@ TEST_F(MeshTables, AnEqualPassNeedsAnEarlierPassOfItsFrame) {
   EXPECT_EQ(settled({{copy_of_ball, curved_depth}, {ball, equal_colors}}), MeshVerdict::unknown_partner);
 }
 
+// A browser shows its window between the depth pass of a page and the pass that must meet it.
+TEST_F(MeshTables, AnEqualPassMayMeetAPassOfTheFrameBefore) {
+  const auto show_between = [this] {
+    EXPECT_NE(table_.draw(ball, curved_depth), MeshVerdict::unknown_partner);
+    table_.frame_finished();
+    return table_.draw(ball, equal_colors);
+  };
+  settled({{ball, curved_depth}, {ball, equal_colors}});
+  EXPECT_EQ(show_between(), MeshVerdict::curved);
+  table_ = {};
+  for (int frame = 0; frame < 2; ++frame) {
+    EXPECT_EQ(show_between(), MeshVerdict::waits) << "the pass before was not curved";
+  }
+  EXPECT_EQ(show_between(), MeshVerdict::curved);
+}
+
 TEST_F(MeshTables, AFailedDrawMakesItsMeshFlat) {
   EXPECT_EQ(settled({{ball, colors}}), MeshVerdict::curved);
   table_.draw(ball, flat_colors);

@@ -112,6 +112,43 @@ TEST_F(UnknownPartnersOfMeshes, AStencilOrAnOffsetMakesNoLid) {
   }
 }
 
+constexpr std::uint64_t stencil = Framebuffers::window_stencil;
+constexpr MeshPass mask{.shows = false, .marks = true, .target = window, .stencil = stencil};
+constexpr MeshPass colors_in_mask{
+    .curves = true, .uses_depth = true, .writes_depth = true, .marks = true, .target = window, .stencil = stencil};
+
+// A browser fills a shape: it marks the pixels of the shape, and then draws a quad where they are marked.
+TEST_F(UnknownPartnersOfMeshes, AMaskMeetsWhatUsesItsStencilBuffer) {
+  MeshPass elsewhere = colors_in_mask;
+  elsewhere.stencil = stencil + 1;
+  for (const MeshKey& key : {other, loose_mesh}) {
+    table_ = {};
+    EXPECT_EQ(settled({{key, mask}, {ball, colors}}), MeshVerdict::curved);
+    EXPECT_EQ(settled({{key, mask}, {ball, elsewhere}}), MeshVerdict::curved);
+    EXPECT_EQ(settled({{key, mask}, {ball, colors_in_mask}}), MeshVerdict::unknown_partner);
+    table_ = {};
+    EXPECT_EQ(settled({{ball, colors_in_mask}, {key, mask}, {ball, colors}}), MeshVerdict::unknown_partner)
+        << "in any order";
+  }
+}
+
+TEST_F(UnknownPartnersOfMeshes, AMaskMeetsWhatTheLastFrameDrewInItsStencilBuffer) {
+  settled({{ball, colors_in_mask}});
+  EXPECT_EQ(settled({{other, mask}, {ball, colors}}, 1), MeshVerdict::curved) << "what is drawn later may not meet it";
+  EXPECT_EQ(settled({{ball, colors}}, 1), MeshVerdict::unknown_partner);
+}
+
+// Shadow volumes compare depths.
+TEST_F(UnknownPartnersOfMeshes, AStencilPassThatComparesDepthsIsNoMask) {
+  EXPECT_EQ(settled({{other, changed(mask, &MeshPass::uses_depth)}, {ball, colors}}), MeshVerdict::unknown_partner);
+}
+
+TEST_F(UnknownPartnersOfMeshes, AMaskInAnUnknownStencilBufferMayMeetAnyMesh) {
+  MeshPass unknown = mask;
+  unknown.stencil = Framebuffers::unknown_stencil;
+  EXPECT_EQ(settled({{other, unknown}, {ball, colors}}), MeshVerdict::unknown_partner);
+}
+
 // A mesh that is a lid, and something else as well.
 TEST_F(UnknownPartnersOfMeshes, EachPassOverTheMeshMustBeALid) {
   const Passes passes{{ball, colors}, {other, flat_depth}, {other, in_shadow_map(flat_depth)}, {ball, colors}};

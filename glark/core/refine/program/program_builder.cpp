@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "glark/core/objects/shader.h"
+#include "glark/core/refine/facet_normals.h"
 #include "glark/core/refine/glsl/geometry_shader.h"
 #include "glark/core/refine/program/labels.h"
 #include "glark/core/refine/program/shape_fields.h"
@@ -121,6 +122,7 @@ void ProgramBuilder::prepare(core::Program& program) const {
   const Inspection inspection = inspect_vertex_stage(sources_of(program, GL_VERTEX_SHADER),
                                                      traits_.language == capture::Language::es, traits_.extensions);
   program.traits = inspection.traits;
+  program.traits.fragments_make_facets = computes_facet_normals(sources_of(program, GL_FRAGMENT_SHADER));
   if (!inspection.ok) {
     leave(program, inspection.error);
     return;

@@ -74,6 +74,21 @@ bool locations_are_separate(core::Program& program) {
   return true;
 }
 
+// The strips of thick lines often have the other end of the line and, as a fourth component, the vertex's own side in an
+// attribute with the name of a normal. Such a "normal" moves the vertex across the line. A surface's normal needs no
+// fourth component.
+void forget_ends_of_lines(core::Program& program) {
+  const OutputVariation* const position = program.traits.variation.position();
+  if (position == nullptr || position->variation <= Variation::affine) {
+    return;
+  }
+  for (capture::Field& field : program.fields) {
+    if (field.role == capture::Role::normal && field.type == GL_FLOAT_VEC4 && position->inputs.contains(field.name)) {
+      field.role = capture::Role::other;
+    }
+  }
+}
+
 }  // namespace
 
 void read_vertex_inputs(const gl::Dispatch& gl, const core::AttributeRoles& roles, core::Program& program) {
@@ -92,6 +107,9 @@ void read_vertex_inputs(const gl::Dispatch& gl, const core::AttributeRoles& role
     program.fields.push_back({.name = name, .type = GL_INT});
   }
   capture::assign_roles(program.fields, roles);
+  if (roles.normal.empty()) {
+    forget_ends_of_lines(program);
+  }
   program.input_traits = {.can_curve = capture::can_curve(program.fields)};
   core::log(core::LogLevel::info, fmt::format("{}: {}", label(program), capture::roles_text(program.fields)));
 }
