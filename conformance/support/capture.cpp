@@ -68,7 +68,11 @@ void refine_by_tags(GLuint pool_level, GLenum refinement) {
 }
 
 void clear_surface() {
-  gl.Viewport(0, 0, surface_size, surface_size);
+  // Viewport may make an implementation ask GL for state that it has failed to follow. So it is not called for nothing.
+  GLint viewport[4] = {};
+  gl.GetIntegerv(GL_VIEWPORT, viewport);
+  if (viewport[0] != 0 || viewport[1] != 0 || viewport[2] != surface_size || viewport[3] != surface_size)
+    gl.Viewport(0, 0, surface_size, surface_size);
   gl.ClearColor(0, 0, 0, 1);
   gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
 }

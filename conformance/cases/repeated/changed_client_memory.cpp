@@ -4,6 +4,7 @@
 // Draws that are repeated after a change of vertices or indices in the memory of the application. No GL command
 // announces such a change.
 #include <cstddef>
+#include <string_view>
 
 #include "conformance/cases/cases.h"
 #include "conformance/cases/repeated/expect_change.h"
@@ -30,6 +31,13 @@ struct Memory {
   std::array<GLubyte, 6> bytes = {3, 4, 5, 6, 7, 8};
   std::array<GLushort, 6> shorts = {3, 4, 5, 6, 7, 8};
   std::array<GLuint, 6> words = {3, 4, 5, 6, 7, 8};
+  // For base vertices of 3 and -5. They name the same vertices.
+  static constexpr GLint up = 3, down = -5;
+  std::array<GLubyte, 6> low_bytes = {0, 1, 2, 3, 4, 5};
+  std::array<GLushort, 6> low_shorts = {0, 1, 2, 3, 4, 5};
+  std::array<GLuint, 6> low_words = {0, 1, 2, 3, 4, 5};
+  std::array<GLushort, 6> high_shorts = {8, 9, 10, 11, 12, 13};
+  std::array<GLuint, 6> high_words = {8, 9, 10, 11, 12, 13};
 
   Memory() {
     for (std::size_t i = 0; i < memory_vertices; ++i) {
@@ -50,6 +58,8 @@ struct Memory {
     bytes[i] = index;
     shorts[i] = index;
     words[i] = index;
+    low_words[i] = low_shorts[i] = low_bytes[i] = static_cast<GLubyte>(index - up);
+    high_words[i] = high_shorts[i] = static_cast<GLubyte>(index - down);
   }
 };
 
@@ -102,6 +112,49 @@ constexpr MemoryCommand memory_commands[] = {
            const void* const indices[] = {&m.shorts[0], &m.shorts[3]};
            const GLsizei counts[] = {3, 3};
            gl.MultiDrawElements(GL_TRIANGLES, counts, GL_UNSIGNED_SHORT, indices, 2);
+         },
+     .has_indices = true,
+     .apis = compat_only},
+    {"base.bytes",
+     [](const Memory& m) {
+       gl.DrawElementsBaseVertex(GL_TRIANGLES, 6, GL_UNSIGNED_BYTE, m.low_bytes.data(), Memory::up);
+     },
+     true},
+    {"base.shorts",
+     [](const Memory& m) {
+       gl.DrawElementsBaseVertex(GL_TRIANGLES, 6, GL_UNSIGNED_SHORT, m.high_shorts.data(), Memory::down);
+     },
+     true},
+    {"base.words",
+     [](const Memory& m) {
+       gl.DrawElementsBaseVertex(GL_TRIANGLES, 6, GL_UNSIGNED_INT, m.low_words.data(), Memory::up);
+     },
+     true},
+    {"base.range",
+     [](const Memory& m) {
+       gl.DrawRangeElementsBaseVertex(GL_TRIANGLES, 8, 13, 6, GL_UNSIGNED_INT, m.high_words.data(), Memory::down);
+     },
+     true},
+    {"base.instanced",
+     [](const Memory& m) {
+       gl.DrawElementsInstancedBaseVertex(GL_TRIANGLES, 6, GL_UNSIGNED_SHORT, m.low_shorts.data(), 2, Memory::up);
+     },
+     true},
+    {.leaf = "base.instanced_base_instance",
+     .draw =
+         [](const Memory& m) {
+           gl.DrawElementsInstancedBaseVertexBaseInstance(GL_TRIANGLES, 6, GL_UNSIGNED_SHORT, m.low_shorts.data(), 1,
+                                                          Memory::up, 1);
+         },
+     .has_indices = true,
+     .apis = compat_only},
+    {.leaf = "base.multi_draw_elements",
+     .draw =
+         [](const Memory& m) {
+           const void* const indices[] = {&m.low_shorts[0], &m.high_shorts[3]};
+           const GLsizei counts[] = {3, 3};
+           const GLint bases[] = {Memory::up, Memory::down};
+           gl.MultiDrawElementsBaseVertex(GL_TRIANGLES, counts, GL_UNSIGNED_SHORT, indices, 2, bases);
          },
      .has_indices = true,
      .apis = compat_only},
@@ -305,13 +358,15 @@ Cases changed_client_memory_cases() {
   const char* const wrong = "The earlier vertices or indices of the draw.";
   for (const bool is_generic : {true, false})
     for (const bool is_mixed : {false, true})
-      for (const MemoryCommand& command : memory_commands)
+      for (const MemoryCommand& command : memory_commands) {
+        if (std::string_view(command.leaf).starts_with("base.") && is_mixed != is_generic) continue;
         cases.push_back(memory_case(
             std::string(is_generic ? "" : "conventional.") + command.leaf + (is_mixed ? ".mixed" : ".apart"),
             {"10.R.2-1", "11.R.13-1"},
             "Repeat a draw from the application's memory, change one component or one index there, and repeat it.",
             wrong, [&command, is_mixed, is_generic](Test& t) { check_memory(t, command, is_mixed, is_generic); },
             is_generic ? command.apis : compat_only));
+      }
   for (const bool is_generic : {true, false})
     for (const bool are_positions : {true, false})
       cases.push_back(memory_case(
