@@ -119,7 +119,7 @@ void check_changed_commands(Test& t, ClientKind kind, bool is_uniform) {
     std::copy(next.begin(), next.end(), words.begin());
   };
   const Draw several = [&] { draw_several(kind, words, 2, gap, true); };
-  const Draw second = [&] { draw_one(kind, &words[static_cast<std::size_t>(words_of(kind) + gap)]); };
+  const Draw second = [&] { draw_one(kind, &words[static_cast<std::size_t>(words_of(kind)) + std::size_t{gap}]); };
   for (const auto& [what, draw] : {std::pair<const char*, Draw>{"two commands", several}, {"the second", second}})
     for (const ClientRecord next :
          {ClientRecord{0, 3, 1}, ClientRecord{1, 6, 1}, ClientRecord{3, 3, 1}, ClientRecord{2, 3, 1}})

@@ -90,8 +90,10 @@ void check_list_ranges(Test& t, bool were_drawn) {
 // Vertices of triangles, the next ones of `next`.
 void emit_vertices(int& next, int count) {
   for (int i = 0; i < count; ++i, ++next) {
-    const auto cell = static_cast<float>(next / 3 % 9);
-    const auto row = static_cast<float>(next / 27);
+    const int triangle = next / 3;
+    const int whole_rows = triangle / 9;
+    const auto cell = static_cast<float>(triangle % 9);
+    const auto row = static_cast<float>(whole_rows);
     const float x = -0.9F + 0.2F * cell + (next % 3 == 1 ? 0.17F : 0);
     const float y = -0.9F + 0.15F * row + (next % 3 == 2 ? 0.13F : 0);
     gl.VertexAttrib4f(at_colour, static_cast<float>(next % 7) / 6, static_cast<float>(next % 5) / 4, 1, 1);

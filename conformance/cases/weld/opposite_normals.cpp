@@ -101,8 +101,9 @@ Vec3 scaled(float factor, const Vec3& n) { return {factor * n[0], factor * n[1],
 std::vector<Vec3> directions() {
   std::vector<Vec3> all;
   for (int code = 0; code < 27; ++code) {
-    const Vec3 n = {0.4F * static_cast<float>(code % 3 - 1), 0.8F * static_cast<float>(code / 3 % 3 - 1),
-                    0.6F * static_cast<float>(code / 9 - 1)};
+    const std::array<int, 3> signs = {code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1};
+    const Vec3 n = {0.4F * static_cast<float>(signs[0]), 0.8F * static_cast<float>(signs[1]),
+                    0.6F * static_cast<float>(signs[2])};
     if (code != 13) all.push_back(n);
   }
   return all;
