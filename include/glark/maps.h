@@ -56,6 +56,13 @@ struct Picture {
 
 inline constexpr std::uint32_t no_picture = 0xFFFFFFFF;
 
+// What a picture shows beyond texture coordinates of 0 to 1: itself again, its mirror image, or its border.
+enum class Wrap : std::uint8_t { repeat, mirror, clamp };
+
+struct PictureWrap {
+  Wrap s = Wrap::repeat, t = Wrap::repeat;
+};
+
 // A fine mesh. The caller owns the arrays, which must live as long as sources of it.
 struct FineMesh {
   std::array<double, 3> origin{};         // added to all positions
@@ -64,11 +71,14 @@ struct FineMesh {
   std::span<const float> normals = {};
   std::span<const std::uint8_t> colours = {};     // [3 * vertices], red green blue; or empty
   std::span<const std::uint32_t> triangles = {};  // [3 * triangles]
-  // Pictures that give the colours of triangles, in place of `colours`. Beyond texture coordinates of 0 to 1, a picture
-  // repeats. Empty: there are none.
+  // Pictures that give the colours of triangles, in place of `colours`. Empty: there are none.
   std::span<const Picture> pictures = {};
   std::span<const std::uint32_t> triangle_pictures = {};  // [triangles]: the picture of each, or no_picture
   std::span<const float> texcoords = {};                  // [2 * vertices], or empty: 0; the lower left pixel is at 0 0
+  std::span<const PictureWrap> picture_wraps = {};        // [pictures], or empty: all repeat
+  // Colours that multiply those of pictures, red green blue, as they are shown: the product is that of linear colours.
+  // A mesh of glTF gives `colours` here, too.
+  std::span<const std::uint8_t> tints = {};  // [3 * vertices], or empty: white
 };
 
 // Samples the triangles of a mesh evenly: at each triangle's corners, and so densely that neighbours on a triangle are

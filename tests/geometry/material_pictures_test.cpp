@@ -4,6 +4,7 @@
 // The pictures of materials.
 #include <string>
 
+#include "tests/geometry/material_files.h"
 #include "tests/geometry/temporary_file.h"
 
 namespace glark::geometry {
@@ -11,18 +12,11 @@ namespace {
 
 using MaterialPictures = TemporaryFolder;
 
-// Red and green in the upper row, blue and white in the lower one.
-constexpr char png[] =
-    "\x89\x50\x4e\x47\x0d\x0a\x1a\x0a\x00\x00\x00\x0d\x49\x48\x44\x52\x00\x00\x00\x02\x00\x00\x00\x02\x08\x02"
-    "\x00\x00\x00\xfd\xd4\x9a\x73\x00\x00\x00\x12\x49\x44\x41\x54\x78\x9c\x63\xf8\xcf\xc0\xc0\x00\xc2\x0c\xff"
-    "\x81\x00\x00\x1f\xee\x05\xfb\x0b\xd9\x68\x8b\x00\x00\x00\x00\x49\x45\x4e\x44\xae\x42\x60\x82";
-const std::vector<std::uint8_t> pixels{255, 0, 0, 0, 255, 0, 0, 0, 255, 255, 255, 255};
-
 const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
 
 TEST_F(MaterialPictures, TrianglesOfObjHaveThoseOfTheirMaterials) {
   made("picture.png", {png, sizeof(png) - 1});
-  made("a.mtl", "newmtl shown\nKd 0.5 0.5 0.5\nmap_Kd picture.png\nnewmtl plain\nKd 1 0 0.2\n");
+  made("a.mtl", "newmtl shown\nKd 1 1 1\nmap_Kd picture.png\nnewmtl plain\nKd 1 0 0.2\n");
   const std::filesystem::path file =
       made("a.obj", "mtllib a.mtl\n" + square +
                         "v nan 0 0\nusemtl shown\nf 1/1 2/2 3/3\nf 5/1 2/2 3/3\nusemtl plain\nf 1/1 3/3 4/4\n");
@@ -31,7 +25,7 @@ TEST_F(MaterialPictures, TrianglesOfObjHaveThoseOfTheirMaterials) {
   ASSERT_EQ(geometry.triangle_images.size(), 2U);
   std::vector<std::vector<std::uint8_t>> seen;
   for (const std::uint32_t image : geometry.triangle_images) seen.push_back(geometry.images.at(image).pixels);
-  EXPECT_EQ(seen[0], pixels);
+  EXPECT_EQ(seen[0], png_pixels);
   EXPECT_EQ(seen[1], (std::vector<std::uint8_t>{255, 0, 51}));
   EXPECT_TRUE(read_file(file, {.skip_invalid = true}).geometry.images.empty());
 }
@@ -78,6 +72,66 @@ TEST_F(MaterialPictures, ThatOfGltfIsTinted) {
   EXPECT_EQ(geometry.images.at(geometry.triangle_images[0]).pixels,
             (std::vector<std::uint8_t>{255, 0, 0, 0, 0, 0, 0, 0, 255, 255, 0, 255}));
   EXPECT_EQ(geometry.texture_coordinates, (std::vector<float>{0, 1, 1, 1, 0, 0}));  // the lower left pixel is at 0 0
+}
+
+// Reads the square with a material whose text is given, and one triangle without it.
+class MtlPictures : public TemporaryFolder {
+ protected:
+  Geometry read(const std::string& material, const std::string& vertices = square) {
+    return reading(material, vertices).geometry;
+  }
+  Reading reading(const std::string& material, const std::string& vertices = square) {
+    made("picture.png", {png, sizeof(png) - 1});
+    made("alpha.png", {png_with_alpha, sizeof(png_with_alpha) - 1});
+    made("a.mtl", "newmtl a b\n" + material + "\nnewmtl plain\nKd 1 1 1\n");
+    return read_file(
+        made("a.obj", "mtllib a.mtl\n" + vertices + "usemtl a b\nf 1/1 2/2 3/3\nusemtl plain\nf 1/1 3/3 4/4\n"),
+        {.images = true});
+  }
+  static const Image& image_of(const Geometry& geometry) { return geometry.images.at(geometry.triangle_images.at(0)); }
+};
+
+TEST_F(MtlPictures, OptionsMoveTheCoordinates) {
+  for (const char* options :
+       {"-s 2 3 1 -o 0.25 0.5 0", "-o 0.25 0.5 -mm 0 1 -s 2 3", "-clamp off -s 2 3 -o 0.25 0.5"}) {
+    const Geometry geometry = read(std::string("map_Kd ") + options + " picture.png");
+    EXPECT_EQ(image_of(geometry).pixels, png_pixels) << options;
+    EXPECT_EQ((std::vector<float>(geometry.texture_coordinates.begin(), geometry.texture_coordinates.begin() + 6)),
+              (std::vector<float>{0.25, 0.5, 2.25, 0.5, 2.25, 3.5}))
+        << options;
+    EXPECT_EQ(image_of(geometry).wrap_s, Wrap::repeat) << options;
+  }
+}
+
+TEST_F(MtlPictures, OptionsMayClamp) {
+  const Geometry geometry = read("map_Kd -clamp on \"picture.png\"");
+  EXPECT_EQ(image_of(geometry).wrap_s, Wrap::clamp);
+  EXPECT_EQ(image_of(geometry).wrap_t, Wrap::clamp);
+}
+
+TEST_F(MtlPictures, TheColourMultipliesThePicture) {
+  EXPECT_EQ(image_of(read("Kd 1 0.5 0\nmap_Kd picture.png")).pixels,
+            (std::vector<std::uint8_t>{255, 0, 0, 0, 128, 0, 0, 0, 0, 255, 128, 0}));
+  EXPECT_EQ(image_of(read("Kd 0 0 0\nmap_Kd picture.png")).pixels, png_pixels);  // many programs write black
+}
+
+TEST_F(MtlPictures, ColoursOfVerticesAreForTrianglesWithoutPictures) {
+  const std::string coloured =
+      "v 0 0 0 1 0 0\nv 1 0 0 1 0 0\nv 1 1 0 1 0 0\nv 0 1 0 1 0 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n";
+  const Geometry geometry = read("map_Kd picture.png", coloured);
+  EXPECT_FALSE(geometry.colours_tint_images);
+  EXPECT_EQ(image_of(geometry).pixels, png_pixels);
+  EXPECT_EQ(geometry.triangle_images.at(1), no_image);
+  EXPECT_EQ(geometry.colours.size(), 4 * geometry.point_count());
+}
+
+TEST_F(MtlPictures, AlphaThatIsLostIsSaidOnce) {
+  for (const char* material : {"map_Kd alpha.png", "d 0.5", "map_Kd picture.png\nmap_d alpha.png"}) {
+    const Reading result = reading(material);
+    ASSERT_EQ(result.warnings.size(), 1U) << material;
+    EXPECT_NE(result.warnings[0].find("no alpha"), std::string::npos);
+  }
+  EXPECT_TRUE(reading("map_Kd picture.png\nd 1").warnings.empty());
 }
 
 }  // namespace

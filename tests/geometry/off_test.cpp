@@ -147,5 +147,11 @@ TEST_F(OffFiles, InvalidPointsDoNotDisturbTheOrigin) {
   EXPECT_EQ(1U, geometry.triangle_count());
 }
 
+TEST_F(OffFiles, EqualPointsAreJoinedUnlessAllAreWanted) {
+  const auto file = made("a.off", "OFF\n6 2 0\n0 0 0\n1 0 0\n0 1 0\n1 0 0\n0 1 0\n1 1 0\n3 0 1 2\n3 3 5 4\n");
+  EXPECT_EQ(read_file(file, {}).geometry.point_count(), 4U);
+  EXPECT_EQ(read_file(file, {.all_points = true}).geometry.point_count(), 6U);
+}
+
 }  // namespace
 }  // namespace glark::geometry

@@ -217,5 +217,19 @@ TEST_F(OtherFormats, ObjFarFromZeroIsAWarning) {
   EXPECT_NE(far[0].find("convert it to PLY with doubles"), std::string::npos) << far[0];
 }
 
+TEST_F(OtherFormats, UnusedVerticesOfObjAreKeptIfAllAreWanted) {
+  const auto file =
+      made("a.obj", "v 0 0 0\nv 9 8 7\nv 1 0 0\nv 0 1 0\nf 1 \\\n -2 -1\nv 2 2 2\nv 3 3 3\nl 5 6\nv 4 5 6\n");
+  EXPECT_EQ(read_file(file, {}).geometry.point_count(), 5U);
+  const Geometry all = read_file(file, {.all_points = true}).geometry;
+  ASSERT_EQ(all.point_count(), 7U);
+  EXPECT_EQ((std::vector<float>(all.positions.end() - 6, all.positions.end())), (std::vector<float>{9, 8, 7, 4, 5, 6}));
+}
+
+TEST_F(OtherFormats, PointsOfObjWithoutFacesAreNotCountedTwice) {
+  const auto file = made("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n");
+  EXPECT_EQ(read_file(file, {.all_points = true}).geometry.point_count(), 3U);
+}
+
 }  // namespace
 }  // namespace glark::geometry

@@ -19,10 +19,14 @@ class Error : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// What an image shows beyond texture coordinates of 0 to 1.
+enum class Wrap : std::uint8_t { repeat, mirror, clamp };
+
 // The colours of a surface, as they are shown.
 struct Image {
   unsigned width = 0, height = 0;
   std::vector<std::uint8_t> pixels;  // red, green, blue: 3 per pixel; the first row is the upper one, at t = 1
+  Wrap wrap_s = Wrap::repeat, wrap_t = Wrap::repeat;
 };
 
 inline constexpr std::uint32_t no_image = 0xFFFFFFFF;
@@ -39,6 +43,7 @@ struct Geometry {
   // Pictures of materials, if ReadOptions asks for them, and the one of each triangle, or no_image. Both may be empty.
   std::vector<Image> images;
   std::vector<std::uint32_t> triangle_images;
+  bool colours_tint_images = false;  // the colours of points multiply those of images, as linear colours
   // Triangle strips, one after the other, and their lengths. A PLY file gets the strips instead of the triangles.
   std::vector<std::uint32_t> strips;
   std::vector<std::uint32_t> strip_sizes;
@@ -63,6 +68,8 @@ struct ReadOptions {
   // The format by its ending, ".ply" for example; empty: that of the file's name.
   std::string format = {};
   bool images = false;  // reads the pictures of materials, too
+  // Keeps what reading drops from a mesh: points of OFF that equal others, and vertices of OBJ that nothing uses.
+  bool all_points = false;
   // Receives what summarise_file() reads; null: nobody does.
   Visitor* visitor = nullptr;
 };

@@ -6,6 +6,7 @@
 
 #include <cctype>
 #include <cstdio>
+#include <regex>
 #include <string>
 #include <string_view>
 
@@ -26,9 +27,15 @@ inline std::string with_options_of_the_command_line(std::string text) {
   return text;
 }
 
+// The libraries begin their messages with their names: "glark-maps: array: no point ..." becomes "no point ...".
+inline std::string without_library(const std::string& text) {
+  static const std::regex library("^glark-[a-z]+: (array: )?");
+  return std::regex_replace(text, library, "");
+}
+
 // Prints the problem. Returns the status, for the end of the program.
 inline int complain(const std::string& problem, int status) {
-  std::fprintf(stderr, "glark: %s\n", with_options_of_the_command_line(problem).c_str());
+  std::fprintf(stderr, "glark: %s\n", with_options_of_the_command_line(without_library(problem)).c_str());
   return status;
 }
 

@@ -57,14 +57,16 @@ void describe_threads(CLI::App& command, unsigned& threads) {
 
 void check_output(const Files& files) { geometry::check_writable(files.output); }
 
-geometry::Geometry load(const std::string& file, const Files& files, bool with_images) {
+geometry::Geometry load(const std::string& file, const Files& files, bool with_images, bool all_points) {
   Progress progress("reading " + file);
   // --format is about the input, not about the reference of --measure.
   const bool is_input = file == files.input;
-  geometry::Reading reading = geometry::read_file(
-      file == "-" ? "/dev/stdin" : file,
-      {.skip_invalid = files.skip_invalid, .format = is_input ? files.format : "", .images = with_images},
-      [&](double fraction) { progress.show(fraction); });
+  geometry::Reading reading = geometry::read_file(file == "-" ? "/dev/stdin" : file,
+                                                  {.skip_invalid = files.skip_invalid,
+                                                   .format = is_input ? files.format : "",
+                                                   .images = with_images,
+                                                   .all_points = all_points},
+                                                  [&](double fraction) { progress.show(fraction); });
   for (const std::string& warning : reading.warnings) warn(file + ": " + warning);
   return std::move(reading.geometry);
 }

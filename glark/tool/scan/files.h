@@ -29,8 +29,8 @@ void describe_threads(CLI::App& command, unsigned& threads);
 
 // Throws if the output cannot be written. It may be the input. Commands call it before the work.
 void check_output(const Files& files);
-// Reads a file and shows progress. Warnings go to standard error. with_images: as geometry::ReadOptions::images.
-geometry::Geometry load(const std::string& file, const Files& files, bool with_images = false);
+// Reads a file and shows progress. Warnings go to standard error. with_images, all_points: as in geometry::ReadOptions.
+geometry::Geometry load(const std::string& file, const Files& files, bool with_images = false, bool all_points = false);
 void store(const geometry::Geometry& geometry, const Files& files);
 
 // Reports the numbers of points and triangles, and the names of the attributes.

@@ -14,6 +14,7 @@
 
 #include "glark/clients/geometry/measure/distance.h"
 #include "glark/clients/geometry/write/output_file.h"
+#include "glark/tool/scan/complaint.h"
 #include "glark/tool/scan/files.h"
 #include "glark/tool/scan/validators.h"
 #if GLARK_HAS_EDIT
@@ -28,9 +29,6 @@
 
 namespace glark::tool {
 namespace {
-
-constexpr int exit_failure = 1;
-constexpr int exit_usage = 2;
 
 struct View {
   Files files;
@@ -293,11 +291,6 @@ void run(EditOptions edit) {
   show_edit_window(edit);
 }
 #endif
-
-int complain(const std::string& problem, int status) {
-  std::fprintf(stderr, "glark: %s\n", problem.c_str());
-  return status;
-}
 
 }  // namespace
 }  // namespace glark::tool

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <assimp/mesh.h>
-#include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
 #include <algorithm>
@@ -22,6 +21,11 @@
 #include "glark/clients/geometry/read/gltf_check.h"
 #include "glark/clients/geometry/read/material_images.h"
 #include "glark/clients/geometry/read/point_builder.h"
+#include "glark/clients/geometry/read/scene/gltf_textures.h"
+#include "glark/clients/geometry/read/scene/mtl_pictures.h"
+#include "glark/clients/geometry/read/scene/obj_vertices.h"
+#include "glark/clients/geometry/read/scene/placed_meshes.h"
+#include "glark/clients/geometry/read/scene/uri_files.h"
 #include "glark/clients/geometry/srgb.h"
 
 namespace glark::geometry {
@@ -79,48 +83,49 @@ std::string check_stl(const std::string& name, std::vector<char>& bytes) {
 }
 
 // Assimp makes vertices black that have no colour while others have one. Returns a warning, or an empty text.
-std::string check_obj(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r";
-  std::size_t with = 0, without = 0;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    std::string_view line = text.substr(begin, end - begin);
-    begin = end + 1;
-    if (!line.starts_with("v ") && !line.starts_with("v\t")) continue;
-    std::size_t words = 0;
-    for (line.remove_prefix(1); words < 7; ++words) {
-      line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
-      if (line.empty()) break;
-      line.remove_prefix(std::min(line.find_first_of(blanks), line.size()));
-    }
-    ++(words >= 6 ? with : without);
-  }
-  if (with == 0 || without == 0) return {};
-  return fmt::format("{} of {} vertices have no colour; they are black", without, with + without);
+std::string warning_of_colours(const ObjVertices& vertices) {
+  if (vertices.with_colour == 0 || vertices.without_colour == 0) return {};
+  return fmt::format("{} of {} vertices have no colour; they are black", vertices.without_colour,
+                     vertices.with_colour + vertices.without_colour);
 }
 
 class Scene {
  public:
-  // linear: colours are linear, not as they are shown.
-  Scene(std::string name, const aiScene& scene, bool linear, const ReadOptions& options)
-      : name_(std::move(name)), scene_(scene), linear_(linear), options_(options) {}
+  // uses: of the pictures of materials. loose: positions of points that belong to no mesh.
+  Scene(std::string name, const aiScene& scene, MeshFormat format, const ReadOptions& options, TextureUses uses,
+        std::vector<std::array<double, 3>> loose)
+      : name_(std::move(name)),
+        scene_(scene),
+        is_gltf_(format == MeshFormat::gltf),
+        options_(options),
+        meshes_(is_gltf_ ? placed_meshes(scene) : unplaced_meshes(scene)),
+        uses_(std::move(uses)),
+        loose_(std::move(loose)) {
+    for (unsigned i = 0; options.images && i < scene.mNumMaterials; ++i)
+      use_of_.push_back(use_of_material(scene, i, uses_));
+  }
 
   Reading gather() const {
     PointBuilder builder(name_, "vertex", attributes(), options_, ColourRange::fraction);
     std::int64_t first = 0;
     std::vector<std::int64_t> corners;
-    for (unsigned i = 0; i < scene_.mNumMeshes; ++i) {
-      const aiMesh& mesh = *scene_.mMeshes[i];
-      for (unsigned k = 0; k < mesh.mNumVertices; ++k) add_vertex(mesh, k, builder);
+    for (const PlacedMesh& placed : meshes_) {
+      const aiMesh& mesh = *placed.mesh;
+      const bool mirrors = placed.mirrors();
+      const bool with_alpha = has_alpha(mesh);
+      for (unsigned k = 0; k < mesh.mNumVertices; ++k) add_vertex(placed, k, with_alpha, builder);
       for (unsigned k = 0; k < mesh.mNumFaces; ++k) {
         const aiFace& face = mesh.mFaces[k];
         if (face.mNumIndices < 3) continue;  // skips points and lines
         corners.clear();
         for (unsigned corner = 0; corner < face.mNumIndices; ++corner) corners.push_back(first + face.mIndices[corner]);
+        // The node mirrors the triangle, which turns its front to the inside (glTF 2.0, section 3.7.4).
+        if (mirrors) std::reverse(corners.begin() + 1, corners.end());
         builder.add_polygon(corners);
       }
       first += mesh.mNumVertices;
     }
+    for (const std::array<double, 3>& position : loose_) builder.add_point({.position = position}, false);
     Reading reading = builder.finish();
     if (options_.images) add_images(reading);
     return reading;
@@ -129,57 +134,85 @@ class Scene {
  private:
   // A triangle has the image of the mesh that its points come from.
   void add_images(Reading& reading) const {
-    MaterialImages materials = read_material_images(scene_, std::filesystem::path(name_).parent_path());
+    MaterialImages materials = read_material_images(scene_, {.folder = std::filesystem::path(name_).parent_path(),
+                                                             .is_gltf = is_gltf_,
+                                                             .has_vertex_colours = !reading.geometry.colours.empty(),
+                                                             .uses = uses_});
     for (std::string& warning : materials.warnings) reading.warnings.push_back(std::move(warning));
-    // Colours of vertices are finer than those of materials.
-    if (materials.images.empty() || (!materials.has_pictures && !reading.geometry.colours.empty())) return;
-    std::vector<std::uint32_t> ends;  // of the points of each mesh
+    if (materials.images.empty()) return;
+    std::vector<std::uint32_t> ends;    // of the points of each mesh
+    std::vector<std::uint32_t> images;  // of each mesh
     std::uint32_t end = 0;
-    for (unsigned i = 0; i < scene_.mNumMeshes; ++i) {
-      const aiMesh& mesh = *scene_.mMeshes[i];
-      end += static_cast<std::uint32_t>(std::count_if(
-          mesh.mVertices, mesh.mVertices + mesh.mNumVertices,
-          [](const aiVector3D& p) { return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z); }));
+    for (const PlacedMesh& placed : meshes_) {
+      for (unsigned k = 0; k < placed.mesh->mNumVertices; ++k) {
+        const std::array<double, 3> p = placed.position(k);
+        end += std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(static_cast<float>(x)); }) ? 1 : 0;
+      }
       ends.push_back(end);
+      const auto mesh = std::find(scene_.mMeshes, scene_.mMeshes + scene_.mNumMeshes, placed.mesh) - scene_.mMeshes;
+      images.push_back(materials.of_mesh[static_cast<std::size_t>(mesh)]);
     }
     Geometry& geometry = reading.geometry;
     geometry.images = std::move(materials.images);
+    geometry.colours_tint_images = is_gltf_;
     for (std::size_t i = 0; i < geometry.triangles.size(); i += 3) {
       const auto mesh = std::upper_bound(ends.begin(), ends.end(), geometry.triangles[i]) - ends.begin();
-      geometry.triangle_images.push_back(materials.of_mesh[static_cast<std::size_t>(mesh)]);
+      geometry.triangle_images.push_back(images[static_cast<std::size_t>(mesh)]);
     }
   }
 
   Attributes attributes() const {
     Attributes attributes;
-    for (unsigned i = 0; i < scene_.mNumMeshes; ++i) {
-      const aiMesh& mesh = *scene_.mMeshes[i];
-      attributes.normals |= mesh.HasNormals();
-      attributes.colours |= mesh.HasVertexColors(0);
-      attributes.texture_coordinates |= mesh.HasTextureCoords(0);
+    for (const PlacedMesh& placed : meshes_) {
+      attributes.normals |= placed.mesh->HasNormals();
+      attributes.colours |= placed.mesh->HasVertexColors(0);
+      attributes.texture_coordinates |= placed.mesh->HasTextureCoords(use_of(*placed.mesh).set);
     }
     return attributes;
   }
 
-  void add_vertex(const aiMesh& mesh, unsigned index, PointBuilder& builder) const {
+  // Without images, texture coordinates are the first ones, as they are in the file.
+  const TextureUse& use_of(const aiMesh& mesh) const {
+    static const TextureUse plain;
+    return mesh.mMaterialIndex < use_of_.size() ? use_of_[mesh.mMaterialIndex] : plain;
+  }
+
+  // Assimp gives the alpha 0 to colours of glTF without alpha.
+  bool has_alpha(const aiMesh& mesh) const {
+    if (!mesh.HasVertexColors(0)) return false;
+    return !is_gltf_ || std::any_of(mesh.mColors[0], mesh.mColors[0] + mesh.mNumVertices,
+                                    [](const aiColor4D& colour) { return colour.a > 0; });
+  }
+
+  void add_vertex(const PlacedMesh& placed, unsigned index, bool with_alpha, PointBuilder& builder) const {
+    const aiMesh& mesh = *placed.mesh;
     Point point;
-    const aiVector3D& position = mesh.mVertices[index];
-    point.position = {position.x, position.y, position.z};
-    if (mesh.HasNormals()) point.normal = {mesh.mNormals[index].x, mesh.mNormals[index].y, mesh.mNormals[index].z};
-    if (mesh.HasTextureCoords(0))
-      point.texture_coordinate = {mesh.mTextureCoords[0][index].x, mesh.mTextureCoords[0][index].y};
+    point.position = placed.position(index);
+    if (mesh.HasNormals()) point.normal = placed.normal(index);
+    const TextureUse& use = use_of(mesh);
+    if (mesh.HasTextureCoords(use.set)) {
+      const aiVector3D& texture = mesh.mTextureCoords[use.set][index];
+      point.texture_coordinate = use.coordinates(texture.x, texture.y);
+    }
     if (mesh.HasVertexColors(0)) {
       const aiColor4D& colour = mesh.mColors[0][index];
-      const auto shown = [this](float value) { return linear_ ? srgb_from_linear(value) : value; };
-      point.colour = {shown(colour.r), shown(colour.g), shown(colour.b), std::max(0.0F, colour.a)};
+      const auto shown = [this](float value) { return is_gltf_ ? srgb_from_linear(value) : value; };
+      point.colour = {shown(colour.r), shown(colour.g), shown(colour.b),
+                      with_alpha ? std::max(0.0F, colour.a) : opaque};
+    } else if (is_gltf_) {
+      point.colour = {1, 1, 1, opaque};
     }
     builder.add_point(point, false);
   }
 
   std::string name_;
   const aiScene& scene_;
-  bool linear_;
+  bool is_gltf_;
   const ReadOptions& options_;
+  std::vector<PlacedMesh> meshes_;
+  TextureUses uses_;
+  std::vector<TextureUse> use_of_;  // of each material; empty without images
+  std::vector<std::array<double, 3>> loose_;
 };
 
 // Returns whether Assimp has to open the file itself, and with it the files that it names.
@@ -195,13 +228,18 @@ bool names_files(const std::string& name, MeshFormat format, std::span<const cha
 struct Importing {
   const char* name;
   const char* hint;  // the ending that Assimp knows
-  unsigned steps;
 };
 
 Importing importing(MeshFormat format, std::span<const char> bytes) {
-  if (format == MeshFormat::stl) return {"STL", "stl", 0};
-  if (format == MeshFormat::obj) return {"OBJ", "obj", 0};
-  return {"glTF", is_glb(bytes) ? "glb" : "gltf", aiProcess_PreTransformVertices};
+  if (format == MeshFormat::stl) return {"STL", "stl"};
+  if (format == MeshFormat::obj) return {"OBJ", "obj"};
+  return {"glTF", is_glb(bytes) ? "glb" : "gltf"};
+}
+
+// Assimp has a name of its own for what it reads from the memory.
+std::string fault_of(const Assimp::Importer& importer) {
+  const std::string fault = importer.GetErrorString();
+  return fault.find("$$$") == std::string::npos ? fault : "its contents are of no version that is known";
 }
 
 // Floats are far apart where coordinates are large. Returns a warning if this shows, or an empty text.
@@ -218,27 +256,54 @@ std::string warning_of_coarse_floats(const Geometry& geometry) {
       step);
 }
 
+// Checks a file, and returns how its materials use their pictures.
+TextureUses checked_gltf(const std::string& name, std::span<const char> bytes, const aiScene& scene,
+                         const ReadOptions& options, std::vector<std::string>& warnings) {
+  const GltfFile file = read_gltf(name, bytes);
+  if (file.model == nullptr) {
+    warnings.push_back("its indices cannot be checked: " + file.fault);
+    return {};
+  }
+  check_gltf(name, *file.model);
+  if (!options.images) return {};
+  const std::vector<std::string> more = warnings_of_gltf_textures(*file.model);
+  warnings.insert(warnings.end(), more.begin(), more.end());
+  return gltf_texture_uses(*file.model, scene);
+}
+
 }  // namespace
 
 Reading read_by_assimp(Input& input, MeshFormat format, const ReadOptions& options) {
   std::vector<char> bytes = whole(input);
-  std::string warning;
-  if (format == MeshFormat::stl) warning = check_stl(input.name(), bytes);
-  if (format == MeshFormat::obj) warning = check_obj({bytes.data(), bytes.size()});
-  const auto [kind, hint, steps] = importing(format, bytes);
+  const std::string& name = input.name();
+  std::vector<std::string> warnings;
+  ObjVertices vertices;
+  if (format == MeshFormat::stl) warnings.push_back(check_stl(name, bytes));
+  if (format == MeshFormat::obj) {
+    vertices = obj_vertices({bytes.data(), bytes.size()}, options.all_points);
+    warnings.push_back(warning_of_colours(vertices));
+  }
+  if (format == MeshFormat::gltf && is_first_glb(bytes))
+    throw Error(name + ": is glTF 1.0, which glark does not read; export it as glTF 2.0");
+  const auto [kind, hint] = importing(format, bytes);
+  const bool has_names = names_files(name, format, bytes, options);
+  const std::filesystem::path folder = std::filesystem::path(name).parent_path();
   Assimp::Importer importer;
-  const aiScene* scene = names_files(input.name(), format, bytes, options)
-                             ? importer.ReadFile(input.name(), steps)
-                             : importer.ReadFileFromMemory(bytes.data(), bytes.size(), steps, hint);
+  if (has_names && format == MeshFormat::gltf) importer.SetIOHandler(new UriFiles(folder));  // which owns it
+  const aiScene* scene =
+      has_names ? importer.ReadFile(name, 0) : importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, hint);
   if (scene == nullptr)
-    throw Error(fmt::format("{}: is not a valid {} file: {}; check the format or export it again", input.name(), kind,
-                            importer.GetErrorString()));
-  if (format == MeshFormat::gltf) warning = check_gltf(input.name(), bytes);
+    throw Error(fmt::format("{}: is not a valid {} file: {}; check the format or export it again", name, kind,
+                            fault_of(importer)));
+  TextureUses uses;
+  if (format == MeshFormat::gltf) uses = checked_gltf(name, bytes, *scene, options, warnings);
+  if (format == MeshFormat::obj && has_names) uses = mtl_texture_uses({bytes.data(), bytes.size()}, folder, *scene);
   // Assimp could join vertices, too. But it treats vertices that are not finite as equal to all others.
-  Reading reading = Scene(input.name(), *scene, format == MeshFormat::gltf, options).gather();
+  Reading reading = Scene(name, *scene, format, options, std::move(uses), std::move(vertices.loose)).gather();
   importer.FreeScene();
-  if (!warning.empty()) reading.warnings.push_back(warning);
-  if (warning = warning_of_coarse_floats(reading.geometry); !warning.empty()) reading.warnings.push_back(warning);
+  warnings.push_back(warning_of_coarse_floats(reading.geometry));
+  for (std::string& warning : warnings)
+    if (!warning.empty()) reading.warnings.push_back(std::move(warning));
   if (format == MeshFormat::stl)
     // These are the normals of the faces. With these normals, no two triangles would share a vertex.
     reading.geometry.normals = {};

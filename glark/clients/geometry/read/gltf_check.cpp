@@ -112,21 +112,29 @@ bool skip_image(tinygltf::Image*, int, std::string*, std::string*, int, int, con
 
 }  // namespace
 
-std::string check_gltf(const std::string& name, std::span<const char> bytes) {
+GltfFile read_gltf(const std::string& name, std::span<const char> bytes) {
   tinygltf::TinyGLTF reader;
   reader.SetImageLoader(skip_image, nullptr);
-  tinygltf::Model model;
+  const auto model = std::make_shared<tinygltf::Model>();
   std::string error, warning;
   const std::string folder = std::filesystem::path(name).parent_path().string();
   const auto size = static_cast<unsigned>(bytes.size());
   const bool is_read =
       bytes.size() <= std::numeric_limits<unsigned>::max() &&
-      (is_glb(bytes) ? reader.LoadBinaryFromMemory(&model, &error, &warning,
+      (is_glb(bytes) ? reader.LoadBinaryFromMemory(model.get(), &error, &warning,
                                                    reinterpret_cast<const unsigned char*>(bytes.data()), size, folder)
-                     : reader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), size, folder));
-  if (!is_read) return "its indices cannot be checked: " + error.substr(0, error.find('\n'));
-  Check(name, model).meshes();
-  return {};
+                     : reader.LoadASCIIFromString(model.get(), &error, &warning, bytes.data(), size, folder));
+  if (!is_read) return {.model = nullptr, .fault = error.substr(0, error.find('\n'))};
+  return {.model = model, .fault = {}};
+}
+
+void check_gltf(const std::string& name, const tinygltf::Model& model) { Check(name, model).meshes(); }
+
+bool is_first_glb(std::span<const char> bytes) {
+  std::uint32_t version = 0;
+  if (!is_glb(bytes) || bytes.size() < 8) return false;
+  std::memcpy(&version, bytes.data() + 4, sizeof(version));  // glTF is little-endian
+  return version == 1;
 }
 
 }  // namespace glark::geometry

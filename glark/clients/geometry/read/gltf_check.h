@@ -4,19 +4,34 @@
 // Finds faults of glTF files that Assimp passes over in silence: it drops triangles whose indices are not points.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 
+namespace tinygltf {
+class Model;
+}
+
 namespace glark::geometry {
 
+struct GltfFile {
+  std::shared_ptr<const tinygltf::Model> model;  // without pictures; null if it cannot be read
+  std::string fault;                             // why
+};
+
+GltfFile read_gltf(const std::string& name, std::span<const char> bytes);
+
 // Throws Error if an index of a mesh is no point, if the indices are no whole triangles, or if the attributes have
-// different lengths. Returns a warning if the file cannot be checked, or an empty text.
-std::string check_gltf(const std::string& name, std::span<const char> bytes);
+// different lengths.
+void check_gltf(const std::string& name, const tinygltf::Model& model);
 
 // Returns whether the bytes are a GLB file, which is binary.
 inline bool is_glb(std::span<const char> bytes) {
   return std::string_view(bytes.data(), bytes.size()).starts_with("glTF");
 }
+
+// Returns whether the bytes are a GLB file of glTF 1.0.
+bool is_first_glb(std::span<const char> bytes);
 
 }  // namespace glark::geometry

@@ -110,7 +110,7 @@ class OffReader {
     if (has_face_colours_) sink_->warn("the colours of the faces are not kept");
     if (next_line()) sink_->warn("something follows the last face; the header may announce too little");
     Reading reading = sink_->finish();
-    if (!reading.geometry.triangles.empty()) join_identical_points(reading.geometry);
+    if (!reading.geometry.triangles.empty() && !options_.all_points) join_identical_points(reading.geometry);
     return reading;
   }
 

@@ -38,6 +38,10 @@ class MeshPoints final : public stream::PointReader {
   // The normal at a corner. corner: 3 * triangle + 0, 1 or 2
   const float* normal_at(std::size_t corner) const;
   const Picture* picture_of(std::size_t triangle) const;
+  PictureWrap wrap_of(std::size_t triangle) const;
+  // Multiplies a colour of 0 to 255 by the tint at a place in a triangle.
+  void tint(const std::array<std::uint32_t, 3>& corners, const std::array<double, 3>& weights,
+            std::array<double, 3>& colour) const;
   std::array<double, 3> colour(std::size_t triangle, const std::array<std::uint32_t, 3>& corners,
                                const std::array<double, 3>& weights) const;
   // normals: of the corners.

@@ -26,6 +26,12 @@ void require_pictures(const FineMesh& mesh, std::size_t vertices) {
         fmt::format("the fine mesh has {} numbers of pictures and {} texture coordinates; give one for each of its "
                     "{} triangles, and two for each of its {} vertices",
                     mesh.triangle_pictures.size(), mesh.texcoords.size(), mesh.triangles.size() / 3, vertices));
+  if ((!mesh.picture_wraps.empty() && mesh.picture_wraps.size() != mesh.pictures.size()) ||
+      (!mesh.tints.empty() && mesh.tints.size() != 3 * vertices))
+    throw Error(Element::array, 0,
+                fmt::format("the fine mesh has {} wraps and {} numbers of tints; give one wrap for each of its {} "
+                            "pictures, and three numbers for each of its {} vertices",
+                            mesh.picture_wraps.size(), mesh.tints.size(), mesh.pictures.size(), vertices));
   for (std::size_t i = 0; i < mesh.pictures.size(); ++i)
     if (mesh.pictures[i].pixels.empty() ||
         mesh.pictures[i].pixels.size() != 3 * std::size_t{mesh.pictures[i].width} * mesh.pictures[i].height)
@@ -39,17 +45,31 @@ void require_pictures(const FineMesh& mesh, std::size_t vertices) {
                               mesh.pictures.size()));
 }
 
+// The coordinate of 0 to 1 that shows the same.
+double wrapped(double coordinate, Wrap wrap) {
+  if (!std::isfinite(coordinate)) return 0;
+  if (wrap == Wrap::clamp) return std::clamp(coordinate, 0.0, 1.0);
+  if (wrap == Wrap::mirror) return std::abs(coordinate - 2 * std::floor(coordinate / 2 + 0.5));
+  return coordinate - std::floor(coordinate);
+}
+
+// Finds the two pixels around a coordinate. Returns the weight of the second one.
+double pixels_at(double coordinate, unsigned size, Wrap wrap, std::array<std::size_t, 2>& pixels) {
+  const double at = wrapped(coordinate, wrap) * size - 0.5;
+  const double first = std::floor(at);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const std::int64_t pixel = static_cast<std::int64_t>(first) + static_cast<std::int64_t>(i);
+    const std::int64_t last = std::int64_t{size} - 1;
+    pixels[i] = static_cast<std::size_t>(wrap == Wrap::repeat ? (pixel + size) % size
+                                                              : std::clamp(pixel, std::int64_t{0}, last));
+  }
+  return at - first;
+}
+
 // The colour of a picture at a texture coordinate, by bilinear filtering.
-std::array<double, 3> colour_at(const Picture& picture, double s, double t) {
-  const auto along = [](double coordinate, unsigned size, std::array<std::size_t, 2>& pixels) {
-    const double at = std::isfinite(coordinate) ? (coordinate - std::floor(coordinate)) * size - 0.5 : 0;
-    const double first = std::floor(at);
-    const auto pixel = static_cast<std::int64_t>(first);
-    pixels = {static_cast<std::size_t>((pixel + size) % size), static_cast<std::size_t>((pixel + 1) % size)};
-    return at - first;
-  };
+std::array<double, 3> colour_at(const Picture& picture, PictureWrap wrap, double s, double t) {
   std::array<std::size_t, 2> columns{}, rows{};
-  const double x = along(s, picture.width, columns), y = along(1 - t, picture.height, rows);
+  const double x = pixels_at(s, picture.width, wrap.s, columns), y = pixels_at(1 - t, picture.height, wrap.t, rows);
   std::array<double, 3> colour{};
   for (std::size_t i = 0; i < 4; ++i) {
     const double weight = (i % 2 == 0 ? 1 - x : x) * (i / 2 == 0 ? 1 - y : y);
@@ -57,6 +77,18 @@ std::array<double, 3> colour_at(const Picture& picture, double s, double t) {
     for (std::size_t k = 0; k < 3; ++k) colour[k] += weight * picture.pixels[pixel + k];
   }
   return colour;
+}
+
+// Colours as they are shown (sRGB, IEC 61966-2-1), and linear ones, from 0 to 1.
+double linear_of(double shown) { return shown <= 0.04045 ? shown / 12.92 : std::pow((shown + 0.055) / 1.055, 2.4); }
+double shown_of(double linear) {
+  return linear <= 0.0031308 ? linear * 12.92 : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+
+std::array<double, 256> linear_bytes() {
+  std::array<double, 256> values{};
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = linear_of(static_cast<double>(i) / 255);
+  return values;
 }
 
 void require(const FineMesh& mesh, double spacing) {
@@ -157,6 +189,23 @@ double MeshPoints::pixels_of(std::size_t triangle) const {
   return std::isfinite(pixels) ? pixels : 0;
 }
 
+PictureWrap MeshPoints::wrap_of(std::size_t triangle) const {
+  return mesh_.picture_wraps.empty() ? PictureWrap{} : mesh_.picture_wraps[mesh_.triangle_pictures[triangle]];
+}
+
+void MeshPoints::tint(const std::array<std::uint32_t, 3>& corners, const std::array<double, 3>& weights,
+                      std::array<double, 3>& colour) const {
+  constexpr double white = 255;
+  static const std::array<double, 256> linear_of_byte = linear_bytes();
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    double factor = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      factor += weights[k] * linear_of_byte[mesh_.tints[3 * std::size_t{corners[k]} + axis]];
+    constexpr double nearly_white = 1 - 1e-9;
+    if (factor < nearly_white) colour[axis] = white * shown_of(factor * linear_of(colour[axis] / white));
+  }
+}
+
 // The colour of the triangle's picture, or that of its vertices; white without both.
 std::array<double, 3> MeshPoints::colour(std::size_t triangle, const std::array<std::uint32_t, 3>& corners,
                                          const std::array<double, 3>& weights) const {
@@ -167,7 +216,9 @@ std::array<double, 3> MeshPoints::colour(std::size_t triangle, const std::array<
       s += weights[k] * static_cast<double>(mesh_.texcoords[2 * std::size_t{corners[k]}]);
       t += weights[k] * static_cast<double>(mesh_.texcoords[2 * std::size_t{corners[k]} + 1]);
     }
-    return colour_at(*picture, s, t);
+    colour = colour_at(*picture, wrap_of(triangle), s, t);
+    if (!mesh_.tints.empty()) tint(corners, weights, colour);
+    return colour;
   }
   for (std::size_t axis = 0; axis < 3; ++axis)
     for (std::size_t k = 0; k < 3; ++k)

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
 
@@ -46,6 +47,7 @@ struct Fine {
   geometry::Geometry geometry;
   std::vector<std::uint8_t> colours;
   std::vector<maps::Picture> pictures;
+  std::vector<maps::PictureWrap> wraps;  // of the pictures
   stream::Source source;
 };
 
@@ -85,6 +87,11 @@ double spacing_of(const geometry::Geometry& mesh) {
   return std::sqrt(2 * geometry::area_of(mesh) / samples);  // n * n samples have n / sqrt(2) in a square's side
 }
 
+maps::Wrap wrap_of(geometry::Wrap wrap) {
+  if (wrap == geometry::Wrap::repeat) return maps::Wrap::repeat;
+  return wrap == geometry::Wrap::mirror ? maps::Wrap::mirror : maps::Wrap::clamp;
+}
+
 std::unique_ptr<Fine> read_fine(const Bake& command) {
   auto fine = std::make_unique<Fine>();
   if (must_read_in_parts(command.files, memory_for(command.memory))) {
@@ -96,11 +103,15 @@ std::unique_ptr<Fine> read_fine(const Bake& command) {
   if (geometry.point_count() == 0) throw std::runtime_error(command.files.input + ": it has no points");
   warn_of_alpha(geometry.colours, command.files.input);
   fine->colours = rgb_of(geometry.colours);
-  for (const geometry::Image& image : geometry.images)
+  for (const geometry::Image& image : geometry.images) {
     fine->pictures.push_back({image.width, image.height, image.pixels});
+    fine->wraps.push_back({wrap_of(image.wrap_s), wrap_of(image.wrap_t)});
+  }
   if (fine->pictures.empty() && fine->colours.empty() && !geometry.texture_coordinates.empty())
     warn(command.files.input + ": it has texture coordinates, but no picture was read; the model has no colours");
   const double spacing = geometry.triangles.empty() ? 1 : spacing_of(geometry);
+  std::span<const std::uint8_t> tints;
+  if (geometry.colours_tint_images) tints = fine->colours;
   fine->source = maps::mesh_source({.origin = geometry.origin,
                                     .positions = geometry.positions,
                                     .normals = geometry.normals,
@@ -108,7 +119,9 @@ std::unique_ptr<Fine> read_fine(const Bake& command) {
                                     .triangles = geometry.triangles,
                                     .pictures = fine->pictures,
                                     .triangle_pictures = geometry.triangle_images,
-                                    .texcoords = geometry.texture_coordinates},
+                                    .texcoords = geometry.texture_coordinates,
+                                    .picture_wraps = fine->wraps,
+                                    .tints = tints},
                                    spacing > 0 ? spacing : 1);
   fine->source.name = command.files.input;
   return fine;

@@ -59,7 +59,7 @@ void info(const Files& files, const Memory& memory, const std::string& reference
   constexpr auto unlimited = std::numeric_limits<std::uint64_t>::max();
   const bool is_unlimited = !reference.empty() && !memory.is_given;
   if (must_read_in_parts(files, is_unlimited ? Memory{unlimited} : memory)) return info_in_parts(files, reference);
-  const geometry::Geometry geometry = load(files.input, files);
+  const geometry::Geometry geometry = load(files.input, files, false, true);
   Report report;
   report["file"] = files.input;
   report.update(contents_of(geometry));
