@@ -153,7 +153,7 @@ class Commands(CommandCase):
         self.assertIn("--reach takes in points farther away", self.glark(*words, "-o", "a.glb", "--reach", "1e-3").stderr)
         for more, status, text in ((("-o", "a.ply"), 1, "give a name that ends with .glb"),
                                    (("-o", "c.glb", "--reach", "-1"), 2, "--reach"),
-                                   (("-o", "c.glb", "--texels-per-point", "65"), 1, "--texels-per-point is 65"),
+                                   (("-o", "c.glb", "--texels-per-point", "65"), 2, "--texels-per-point: \"65\""),
                                    (("-o", "c.glb", "--mesh", "points.xyz"), 1, "it has no triangles")):
             words = ("bake", self.sphere, *(() if "--mesh" in more else ("--mesh", "coarse.ply")))
             self.assertIn(text, self.glark(*words, *more, status=status).stderr)
