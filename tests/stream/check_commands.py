@@ -24,19 +24,15 @@ except ImportError:
     print("numpy is missing: skipped")
     sys.exit(0)
 
+from scans import bumpy_sphere  # noqa: E402
+
 PROGRAM, KILLS = "", 2
 MIB = 1 << 20
 
 
 def write_scan(path: pathlib.Path, count: int, shuffled: bool = False) -> pathlib.Path:
     """Points of a sphere with bumps, in rings from below."""
-    height = (2 * numpy.arange(count, dtype=numpy.float64) + 1) / count - 1
-    turn = 2.399963229728653 * numpy.arange(count)
-    radius = numpy.sqrt(1 - height * height)
-    points = numpy.stack([radius * numpy.cos(turn), radius * numpy.sin(turn), height], axis=1)
-    points *= 1 + 0.01 * numpy.sin(20 * points).prod(axis=1, keepdims=True)
-    if shuffled:
-        numpy.random.default_rng(1).shuffle(points)
+    points = bumpy_sphere(count, shuffled)
     points.astype("<f4").tofile(path)
     return path
 

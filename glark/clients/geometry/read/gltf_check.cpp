@@ -10,24 +10,19 @@
 #include <limits>
 
 #include "glark/clients/geometry/geometry.h"
+#include "glark/clients/geometry/read/element_at.h"
 
 #include <tiny_gltf.h>
 
 namespace glark::geometry {
 namespace {
 
-template <class Value>
-const Value* at(const std::vector<Value>& values, int index) {
-  return index >= 0 && static_cast<std::size_t>(index) < values.size() ? &values[static_cast<std::size_t>(index)]
-                                                                       : nullptr;
-}
-
 // The indices of a primitive. There are none in the file itself if they are compressed or sparse.
 class Indices {
  public:
   Indices(const tinygltf::Model& model, const tinygltf::Accessor& accessor) : accessor_(accessor) {
-    const tinygltf::BufferView* view = at(model.bufferViews, accessor.bufferView);
-    const tinygltf::Buffer* buffer = view == nullptr ? nullptr : at(model.buffers, view->buffer);
+    const tinygltf::BufferView* view = element_at(model.bufferViews, accessor.bufferView);
+    const tinygltf::Buffer* buffer = view == nullptr ? nullptr : element_at(model.buffers, view->buffer);
     const int stride = view == nullptr ? -1 : accessor.ByteStride(*view);
     if (buffer == nullptr || stride <= 0 || accessor.sparse.isSparse || accessor.count == 0) return;
     const std::size_t first = view->byteOffset + accessor.byteOffset, size = buffer->data.size();
@@ -78,13 +73,14 @@ class Check {
   void primitive(const tinygltf::Primitive& primitive, const std::string& place) const {
     const auto position = primitive.attributes.find("POSITION");
     const tinygltf::Accessor* points =
-        position == primitive.attributes.end() ? nullptr : at(model_.accessors, position->second);
+        position == primitive.attributes.end() ? nullptr : element_at(model_.accessors, position->second);
     if (points == nullptr) return;
     for (const auto& [attribute, index] : primitive.attributes)
-      if (const tinygltf::Accessor* values = at(model_.accessors, index); values && values->count != points->count)
+      if (const tinygltf::Accessor* values = element_at(model_.accessors, index);
+          values && values->count != points->count)
         throw Error(fmt::format("{}: {} {} for {} points; the file is damaged, get it again", place, values->count,
                                 attribute, points->count));
-    const tinygltf::Accessor* accessor = at(model_.accessors, primitive.indices);
+    const tinygltf::Accessor* accessor = element_at(model_.accessors, primitive.indices);
     const std::size_t corners = accessor == nullptr ? points->count : accessor->count;
     if (primitive.mode == TINYGLTF_MODE_TRIANGLES && corners % 3 != 0)
       throw Error(fmt::format("{}: {} {} are no whole triangles; the file is damaged, get it again", place, corners,

@@ -14,20 +14,16 @@
 #include <optional>
 #include <set>
 
+#include "glark/clients/geometry/read/element_at.h"
+
 namespace glark::geometry {
 namespace {
-
-template <class Value>
-const Value* at(const std::vector<Value>& values, int index) {
-  return index >= 0 && static_cast<std::size_t>(index) < values.size() ? &values[static_cast<std::size_t>(index)]
-                                                                       : nullptr;
-}
 
 // The numbers of the materials in the order in which Assimp meets them: the children of a node come before its mesh.
 class MaterialOrder {
  public:
   explicit MaterialOrder(const tinygltf::Model& model) : model_(model) {
-    if (const tinygltf::Scene* scene = at(model.scenes, std::max(0, model.defaultScene)))
+    if (const tinygltf::Scene* scene = element_at(model.scenes, std::max(0, model.defaultScene)))
       for (const int node : scene->nodes) visit(node);
   }
 
@@ -35,12 +31,12 @@ class MaterialOrder {
 
  private:
   void visit(int index) {
-    const tinygltf::Node* const node = at(model_.nodes, index);
+    const tinygltf::Node* const node = element_at(model_.nodes, index);
     if (node == nullptr || !seen_nodes_.insert(index).second) return;
     for (const int child : node->children) visit(child);
-    if (const tinygltf::Mesh* mesh = at(model_.meshes, node->mesh))
+    if (const tinygltf::Mesh* mesh = element_at(model_.meshes, node->mesh))
       for (const tinygltf::Primitive& primitive : mesh->primitives)
-        if (at(model_.materials, primitive.material) && seen_materials_.insert(primitive.material).second)
+        if (element_at(model_.materials, primitive.material) && seen_materials_.insert(primitive.material).second)
           materials_.push_back(primitive.material);
   }
 
@@ -111,8 +107,8 @@ TextureUse use_of(const tinygltf::Model& model, const tinygltf::Material& materi
   const ColourTexture info = colour_texture(material);
   TextureUse use{.set = static_cast<unsigned>(std::max(0, info.set))};
   if (info.transform != nullptr) add_transform(*info.transform, use);
-  const tinygltf::Texture* const texture = at(model.textures, info.index);
-  if (const tinygltf::Sampler* sampler = texture == nullptr ? nullptr : at(model.samplers, texture->sampler)) {
+  const tinygltf::Texture* const texture = element_at(model.textures, info.index);
+  if (const tinygltf::Sampler* sampler = texture == nullptr ? nullptr : element_at(model.samplers, texture->sampler)) {
     use.wrap_s = wrap_of(sampler->wrapS);
     use.wrap_t = wrap_of(sampler->wrapT);
   }
@@ -146,7 +142,7 @@ std::vector<std::string> warnings_of_gltf_textures(const tinygltf::Model& model)
   const MaterialOrder order(model);
   for (const int material : order.materials()) {
     const int index = colour_texture(model.materials[static_cast<std::size_t>(material)]).index;
-    const tinygltf::Texture* const texture = at(model.textures, index);
+    const tinygltf::Texture* const texture = element_at(model.textures, index);
     if (texture == nullptr || texture->source >= 0) continue;
     for (const auto& [name, value] : texture->extensions) extensions.insert(name);
   }
