@@ -68,7 +68,8 @@ void refine_by_tags(GLuint pool_level, GLenum refinement) {
 }
 
 void clear_surface() {
-  // Viewport may make an implementation ask GL for state that it has failed to follow. So it is not called for nothing.
+  // On Viewport, an implementation may read its state from GL again, which hides what it failed to follow. So Viewport is
+  // called only where it changes something.
   GLint viewport[4] = {};
   gl.GetIntegerv(GL_VIEWPORT, viewport);
   if (viewport[0] != 0 || viewport[1] != 0 || viewport[2] != surface_size || viewport[3] != surface_size)

@@ -138,11 +138,14 @@ bool MeshWatch::is_moved_by_offsets(const DrawCall& call, const Inputs& inputs) 
   if (!has_points(source)) {
     return false;
   }
-  const auto [entry, added] = moves_by_offsets_.try_emplace(mesh_of(source, packed_stride(source.size, source.type)));
-  if (added) {
-    entry->second = !are_directions(read_points(env_.gl, env_.errors, source));
+  const MeshKey key = mesh_of(source, packed_stride(source.size, source.type));
+  const auto known = moves_by_offsets_.find(key);
+  if (known != moves_by_offsets_.end() || moves_by_offsets_.size() == Overlays::most_sources) {
+    return known != moves_by_offsets_.end() && known->second;
   }
-  return entry->second;
+  const bool moves = !are_directions(read_points(env_.gl, env_.errors, source));
+  moves_by_offsets_.emplace(key, moves);
+  return moves;
 }
 
 // The vertex stage does more than to transform positions. So it makes quads of thick lines.

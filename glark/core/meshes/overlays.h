@@ -27,17 +27,20 @@ bool lies_on(const std::vector<std::uint64_t>& overlay, const std::vector<std::u
 class Overlays {
  public:
   // Returns whether the points of this source are wanted: they were not given yet.
-  bool wants_overlay(const MeshKey& key) const { return points_ < most_points && !overlays_.contains(key); }
+  bool wants_overlay(const MeshKey& key) const { return has_room(overlays_.size()) && !overlays_.contains(key); }
   bool wants_mesh(const MeshKey& key) const {
-    return points_ < most_points && !overlays_.empty() && !meshes_.contains(key);
+    return has_room(meshes_.size()) && !overlays_.empty() && !meshes_.contains(key);
   }
   void add_overlay(const MeshKey& key, std::span<const Point> points);
   void add_mesh(const MeshKey& key, std::span<const Point> points);
   bool covers(const MeshKey& mesh) const;
 
-  static constexpr std::size_t most_points = std::size_t{1} << 22U;  // of all sources; later ones are not looked at
+  // Later sources are not looked at. A program may make a new buffer for its lines in each frame.
+  static constexpr std::size_t most_points = std::size_t{1} << 22U;  // of all sources
+  static constexpr std::size_t most_sources = 1024;                  // of each kind
 
  private:
+  bool has_room(std::size_t sources) const { return points_ < most_points && sources < most_sources; }
   struct Mesh {
     std::vector<std::uint64_t> points;
     bool covered = false;

@@ -47,6 +47,17 @@ TEST(Overlays, CoverAMeshThatComesBeforeOrAfter) {
   EXPECT_TRUE(overlays.covers(overlaid_ball));
 }
 
+// Lines that have a new buffer in each frame are read back a limited number of times.
+TEST(Overlays, SourcesAreLimited) {
+  Overlays overlays;
+  for (std::uint64_t i = 0; i < Overlays::most_sources; ++i) {
+    ASSERT_TRUE(overlays.wants_overlay({{i + 1, 0, 0}}));
+    overlays.add_overlay({{i + 1, 0, 0}}, {});
+  }
+  EXPECT_FALSE(overlays.wants_overlay(wires_of_ball));
+  EXPECT_TRUE(overlays.wants_mesh(overlaid_ball));
+}
+
 TEST(Overlays, AMeshDoesNotLieOnItself) {
   Overlays overlays;
   overlays.add_overlay(overlaid_ball, row_of_points(0, 8));

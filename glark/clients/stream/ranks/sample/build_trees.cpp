@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint64_t points_at_once = 1 << 12;
 
-// Calls visit(points) for the points of an owned cell, in order, until it returns false. Returns whether it never did.
+// Calls visit(points) for the points of an owned cell, in order, and stops if it returns false. Returns false then.
 template <class Sent, class Visit>
 bool each_point(const BuildInput& input, std::size_t owned, const Visit& visit) {
   const std::uint64_t count = input.plan.cells[input.shares.owned[owned]].count;
