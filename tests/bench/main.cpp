@@ -5,9 +5,11 @@
 // and prints a table. See docs/reference/benchmarks.md.
 #include <malloc.h>
 
+#include <algorithm>
 #include <exception>
 #include <iostream>
 #include <string>
+#include <vector>
 
 #include "tests/bench/cases/case.h"
 #include "tests/bench/gl.h"
@@ -20,7 +22,7 @@ constexpr const char* help = R"(usage: glark-bench [options]
 Measures refined draws against the same triangles refined beforehand and against tessellation shaders, the pattern pool,
 capture and binning, calls that are passed through, and subdivision surfaces (QAS). Prints a table; 'short' is a target that is missed.
 
-  --filter TEXT  only cases whose name contains TEXT
+  --filter TEXT  only cases whose name contains TEXT; several times: one of the texts
   --list         the names of the cases
   --quick        fewer rounds
   --thorough     more rounds
@@ -33,7 +35,7 @@ Exit status: 0 measured, whatever the figures say; 1 something could not be meas
 )";
 
 struct Options {
-  std::string filter;
+  std::vector<std::string> filters;
   std::string json;
   std::string csv;
   bool list = false;
@@ -46,7 +48,7 @@ bool parse(int argc, char** argv, Options& options) {
     const std::string word = argv[i];
     const bool has_value = i + 1 < argc;
     if (word == "--filter" && has_value) {
-      options.filter = argv[++i];
+      options.filters.emplace_back(argv[++i]);
     } else if (word == "--json" && has_value) {
       options.json = argv[++i];
     } else if (word == "--csv" && has_value) {
@@ -160,13 +162,18 @@ int main(int argc, char** argv) {
     return 0;
   }
   std::vector<glark::bench::Case> cases = all_cases();
-  std::erase_if(cases, [&](const auto& one) { return one.name.find(options.filter) == std::string::npos; });
+  if (!options.filters.empty()) {
+    std::erase_if(cases, [&](const auto& one) {
+      return std::ranges::none_of(options.filters,
+                                  [&](const auto& text) { return one.name.find(text) != std::string::npos; });
+    });
+  }
   if (options.list) {
     for (const auto& one : cases) std::cout << one.name << '\n';
     return 0;
   }
   if (cases.empty()) {
-    std::cerr << "glark-bench: no case contains '" << options.filter << "'; see --list\n";
+    std::cerr << "glark-bench: no case contains the text of --filter; see --list\n";
     return 2;
   }
   keep_freed_memory();

@@ -43,6 +43,19 @@ void check_level(Test& t) {
   }
 }
 
+// Pools of other levels may have the patterns in other places.
+void check_pool(Test& t) {
+  gl.UseProgram(colour_program(t));
+  Mesh mesh = bent_mesh();
+  for (const GLuint level : {11U, 6U, 3U, 9U}) {
+    for (MeshVertex& vertex : mesh) vertex.position = {-0.9F * vertex.position[1], vertex.position[0], 0, 1};
+    upload(mesh);
+    refine_uniformly(3);
+    gl.ARKinit(level);
+    expect_unrefined(t, expect_same_often(t, "pool level " + std::to_string(level)));
+  }
+}
+
 struct Surface {
   GLenum refinement;
   float shape;
@@ -174,6 +187,9 @@ Cases changed_refinement_cases() {
   return {
       often_case("level", {"11.R.13-1", "11.R.2-2"}, "Repeat a draw very often with each of several uniform levels.",
                  "The level of earlier draws.", check_level),
+      often_case("pool", {"11.R.13-1", "11.R.1-5", "11.R.1-8"},
+                 "Repeat a draw very often with each of several pools, and another mesh each time.",
+                 "Patterns that lie where they lay in the earlier pool.", check_pool),
       often_case("surface", {"11.R.13-1", "11.R.7c-6"},
                  "Repeat a draw very often with linear inputs, curved triangles, and two shapes of Phong tessellation.",
                  "The surface of earlier draws.", check_surface),

@@ -120,7 +120,8 @@ bool Evaluation::make_grids(const core::DrawPlan& plan, core::DrawCache::Entry& 
       !parts_.kept.allocate_vertices(entry, room, grids_.bytes_with(level, triangles.count))) {
     return false;
   }
-  const GridIndices::Grid grid = grids_.ensure(env_.gl, parts_.pool.pool(), level, triangles.count);
+  const GridIndices::Grid grid =
+      grids_.ensure(env_.gl, parts_.pool.pool(), parts_.pool.number(), level, triangles.count);
   mesh.indices = grid.indices;
   const submit::PointDraw draw{
       .first = grid.first_vertex,

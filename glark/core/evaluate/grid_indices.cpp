@@ -3,6 +3,7 @@
 #include "glark/core/evaluate/grid_indices.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace glark::evaluate {
 namespace {
@@ -13,19 +14,24 @@ std::int64_t bytes_of(unsigned level, std::uint32_t triangles) {
 
 }  // namespace
 
-void GridIndices::read_pattern(const gl::Dispatch& gl, const pattern::GpuPool& pool, unsigned number, Level& level) {
+bool GridIndices::read_pattern(const gl::Dispatch& gl, const pattern::GpuPool& pool, unsigned number, Level& level) {
   const pattern::Piece& piece = pool.piece(pattern::uniform_piece(static_cast<int>(number)));
-  level.pattern = pool.read_indices(gl, piece);
-  if (level.pattern.empty()) {
-    return;
+  std::vector<std::uint16_t> pattern = pool.read_indices(gl, piece);
+  if (pattern.empty()) {
+    return false;
   }
-  const auto [least, most] = std::minmax_element(level.pattern.begin(), level.pattern.end());
+  const auto [least, most] = std::minmax_element(pattern.begin(), pattern.end());
   const std::uint16_t first = *least;
   level.first_vertex = first;
   level.vertex_count = *most - first + 1;
-  for (std::uint16_t& index : level.pattern) {
+  for (std::uint16_t& index : pattern) {
     index = static_cast<std::uint16_t>(index - first);
   }
+  if (pattern != level.pattern) {
+    level.pattern = std::move(pattern);
+    level.triangles = 0;  // the indices in the buffer are those of another pattern
+  }
+  return true;
 }
 
 std::int64_t GridIndices::bytes_with(unsigned level, std::uint32_t triangles) const {
@@ -72,14 +78,14 @@ bool GridIndices::fill(const gl::Dispatch& gl, Level& level, std::uint32_t trian
   return true;
 }
 
-GridIndices::Grid GridIndices::ensure(const gl::Dispatch& gl, const pattern::GpuPool& pool, unsigned level,
-                                      std::uint32_t triangles) {
+GridIndices::Grid GridIndices::ensure(const gl::Dispatch& gl, const pattern::GpuPool& pool, std::uint64_t pool_number,
+                                      unsigned level, std::uint32_t triangles) {
   Level& found = levels_.at(level);
-  if (found.pattern.empty()) {
-    read_pattern(gl, pool, level, found);
-  }
-  if (found.pattern.empty()) {
-    return {};
+  if (found.pool_number != pool_number) {
+    if (!read_pattern(gl, pool, level, found)) {
+      return {};
+    }
+    found.pool_number = pool_number;
   }
   if (found.triangles < triangles && !fill(gl, found, found.grown(triangles))) {
     return {};

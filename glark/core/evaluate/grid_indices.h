@@ -34,12 +34,14 @@ class GridIndices {
   std::int64_t bytes() const { return bytes_with(0, 0); }  // of all index buffers
   // The bytes of all index buffers, once `level` has room for so many coarse triangles.
   std::int64_t bytes_with(unsigned level, std::uint32_t triangles) const;
-  // Needs an ErrorScope.
-  Grid ensure(const gl::Dispatch& gl, const pattern::GpuPool& pool, unsigned level, std::uint32_t triangles);
+  // `pool_number`: pools of other levels have their patterns in other places. Needs an ErrorScope.
+  Grid ensure(const gl::Dispatch& gl, const pattern::GpuPool& pool, std::uint64_t pool_number, unsigned level,
+              std::uint32_t triangles);
   void release(const gl::Dispatch& gl);
 
  private:
   struct Level {
+    std::uint64_t pool_number = 0;       // of the pool that the pattern was read from; 0: it was not read
     std::vector<std::uint16_t> pattern;  // indices from first_vertex on
     GLint first_vertex = 0;
     GLsizei vertex_count = 0;
@@ -51,7 +53,7 @@ class GridIndices {
       return wanted <= triangles ? triangles : std::max(wanted, triangles + triangles / 2);
     }
   };
-  static void read_pattern(const gl::Dispatch& gl, const pattern::GpuPool& pool, unsigned number, Level& level);
+  static bool read_pattern(const gl::Dispatch& gl, const pattern::GpuPool& pool, unsigned number, Level& level);
   static bool fill(const gl::Dispatch& gl, Level& level, std::uint32_t triangles);
   static void write(const gl::Dispatch& gl, const Level& level, std::uint32_t first, std::uint32_t triangles);
 

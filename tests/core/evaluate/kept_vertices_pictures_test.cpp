@@ -38,6 +38,19 @@ TEST_P(KeptVertices, EveryLevel) {
   }
 }
 
+// Pools of other levels have their patterns in other places.
+TEST_P(KeptVertices, PoolsOfOtherLevels) {
+  for (const GLuint pool : {11U, 6U, 3U, 11U}) {
+    const std::vector<ColoredVertex> vertices = pool == 11 ? one() : two();
+    glBufferSubData(GL_ARRAY_BUFFER, 0, bytes, vertices.data());  // drops what is kept
+    glDisable(GL_ARK);
+    const Picture plain = picture_of(draw_elements);
+    refine_uniformly(3, GL_LINEAR_INPUTS_ARK);
+    glARKinit(pool);
+    EXPECT_LE(differing_pixels(expect_same_picture(draw_elements), plain), tolerated_pixels) << "pool " << pool;
+  }
+}
+
 TEST_P(KeptVertices, UniformsOfTheApplication) {
   refine_uniformly(2, GL_LINEAR_INPUTS_ARK);
   const GLuint program = link_program(
