@@ -11,8 +11,8 @@
 
 #include "glark/core/ark_state.h"
 #include "glark/core/context_options.h"
-#include "glark/core/objects/compilation.h"
 #include "glark/core/objects/error_scope.h"
+#include "glark/core/objects/programs/compilation.h"
 #include "glark/core/state/arrays/buffer_writes.h"
 #include "glark/core/state/attribute_stack.h"
 #include "glark/core/state/capabilities.h"

@@ -7,9 +7,9 @@
 #include <filesystem>
 
 #include "glark/clients/geometry/formats.h"
-#include "glark/python/arrays.h"
-#include "glark/python/bound_class.h"
-#include "glark/python/text.h"
+#include "glark/python/convert/arrays.h"
+#include "glark/python/convert/bound_class.h"
+#include "glark/python/convert/text.h"
 
 namespace glark::python {
 

@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <limits>
 
-#include "glark/python/bound_class.h"
-#include "glark/python/scan_files.h"
+#include "glark/python/convert/bound_class.h"
+#include "glark/python/convert/scan_files.h"
 
 namespace glark::python {
 namespace {

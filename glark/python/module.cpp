@@ -5,8 +5,8 @@
 #include <glark/error.h>
 
 #include "glark/clients/geometry/geometry.h"
-#include "glark/python/arrays.h"
-#include "glark/python/text.h"
+#include "glark/python/convert/arrays.h"
+#include "glark/python/convert/text.h"
 
 namespace glark::python {
 namespace {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <glark/pn.h>
 
-#include "glark/python/arrays.h"
-#include "glark/python/bound_class.h"
+#include "glark/python/convert/arrays.h"
+#include "glark/python/convert/bound_class.h"
 
 namespace glark::python {
 
@@ -18,10 +18,7 @@ py::object sources_of(const py::object& self) {
   return view(std::span(sources.empty() ? nullptr : sources.front().data(), 2 * sources.size()), 2, self);
 }
 
-}  // namespace
-
-void bind_pn(py::module_& parent) {
-  py::module_ module = parent.def_submodule("pn", "Scalar-tagged PN triangles.");
+void bind_tagged_mesh(py::module_& module) {
   py::class_<TaggedMesh>(module, "TaggedMesh", "A mesh with the tags of GL_SCALAR_TAGGED_PN_ARK.")
       .def_property_readonly(
           "positions", [](const py::object& s) { return view(s.cast<TaggedMesh&>().positions, 3, s); },
@@ -45,6 +42,13 @@ void bind_pn(py::module_& parent) {
           "(triangles,) uint32: the original triangle of each")
       .def_readonly("crease_vertices", &TaggedMesh::crease_vertices, "the number of points with two normals")
       .def_readonly("corners", &TaggedMesh::corners, "the number of points where several creases meet");
+}
+
+}  // namespace
+
+void bind_pn(py::module_& parent) {
+  py::module_ module = parent.def_submodule("pn", "Scalar-tagged PN triangles.");
+  bind_tagged_mesh(module);
   const pn::Options defaults;
   module.def(
       "derive_tags",

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include <glark/qas.h>
 
-#include "glark/python/arrays.h"
-#include "glark/python/bound_class.h"
-#include "glark/python/guarded.h"
+#include "glark/python/convert/arrays.h"
+#include "glark/python/convert/bound_class.h"
+#include "glark/python/convert/guarded.h"
 
 namespace glark::python {
 

@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <mutex>
 
-#include "glark/python/bound_class.h"
-#include "glark/python/scan_files.h"
-#include "glark/python/text.h"
+#include "glark/python/convert/bound_class.h"
+#include "glark/python/convert/scan_files.h"
+#include "glark/python/convert/text.h"
 
 namespace glark::python {
 

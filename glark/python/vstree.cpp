@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <glark/vstree.h>
 
-#include "glark/python/arrays.h"
-#include "glark/python/bound_class.h"
+#include "glark/python/convert/arrays.h"
+#include "glark/python/convert/bound_class.h"
 
 namespace glark::python {
 

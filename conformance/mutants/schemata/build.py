@@ -23,7 +23,7 @@ NOTE = re.compile(r"^(?P<path>[^\s:]+):(?P<line>\d+):\d+:   (?:required|in .cons
 UNDECLARED = re.compile(r"[‘'](\w+)[’'] was not declared")
 # Where a mutant in the text of a shader is chosen: where the texts go to GL, and where the text that stands for fixed
 # function is complete, since it is parsed before. A hook adds no line.
-HOOKS = {"glark/core/objects/shader.cpp": [
+HOOKS = {"glark/core/objects/programs/shader.cpp": [
     ("const char* text = source.c_str();",
      "const std::string chosen_text = glark_mutants::text_of_shader(source); const char* text = chosen_text.c_str();"),
     ("GLint compiled = GL_FALSE;",

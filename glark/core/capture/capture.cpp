@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "glark/core/objects/shader.h"
+#include "glark/core/objects/programs/shader.h"
 
 namespace glark::capture {
 namespace {

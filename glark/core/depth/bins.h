@@ -16,9 +16,9 @@
 #include "glark/core/depth/kept_instances.h"
 #include "glark/core/depth/measure/measured_depths.h"
 #include "glark/core/depth/reorder.h"
-#include "glark/core/objects/compilation.h"
-#include "glark/core/objects/compute_pass.h"
 #include "glark/core/objects/gpu_buffer.h"
+#include "glark/core/objects/programs/compilation.h"
+#include "glark/core/objects/programs/compute_pass.h"
 #include "glark/core/pattern/gpu_pool.h"
 #include "glark/core/state/bindings.h"
 

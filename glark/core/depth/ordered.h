@@ -12,9 +12,9 @@
 #include "glark/core/depth/binned_instances.h"
 #include "glark/core/depth/kept_instances.h"
 #include "glark/core/depth/measure/measure.h"
-#include "glark/core/objects/compilation.h"
-#include "glark/core/objects/compute_pass.h"
 #include "glark/core/objects/gpu_buffer.h"
+#include "glark/core/objects/programs/compilation.h"
+#include "glark/core/objects/programs/compute_pass.h"
 #include "glark/core/state/bindings.h"
 
 namespace glark::depth {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "glark/core/capture/record.h"
-#include "glark/core/objects/shader.h"
+#include "glark/core/objects/programs/shader.h"
 
 namespace glark::depth {
 namespace {

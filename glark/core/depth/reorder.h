@@ -11,8 +11,8 @@
 
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/layout.h"
-#include "glark/core/objects/compilation.h"
 #include "glark/core/objects/gpu_buffer.h"
+#include "glark/core/objects/programs/compilation.h"
 #include "glark/core/state/bindings.h"
 #include "glark/gl/dispatch.h"
 

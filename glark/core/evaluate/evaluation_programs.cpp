@@ -6,7 +6,7 @@
 
 #include "glark/core/capture/draw_capture.h"
 #include "glark/core/evaluate/evaluation_source.h"
-#include "glark/core/objects/shader.h"
+#include "glark/core/objects/programs/shader.h"
 #include "glark/core/refine/attribute_locations.h"
 #include "glark/core/refine/derive.h"
 #include "glark/core/refine/program/uniform_copy.h"

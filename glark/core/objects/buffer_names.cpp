@@ -4,37 +4,32 @@
 
 #include <cstring>
 #include <mutex>
-#include <vector>
 
 #include "glark/core/objects/get_integer.h"
 
 namespace glark::core {
 namespace {
 
-// The first buffer of ours in a share group has the largest name. Then glGenBuffers gives the application the names that it
-// gives without ours, and never one of ours: Mesa 22.3 gives the name above the largest one in use, and looks for a free
-// one from 1 on only if that was the last.
+// An empty buffer of ours has the largest name in each share group. Then glGenBuffers gives the application small names, and
+// never one of ours: Mesa 22.3 gives the name above the largest one that was in use, and looks for a free one from 1 on only
+// if that was the last.
 constexpr GLuint largest = 0xFFFFFFFE;
 constexpr GLuint least = 0x80000000;
 
-// The other names, downwards from the largest one. Two share groups never have the same name.
+// The other names, downwards from the largest one. Two share groups never have the same name. A name comes again after all
+// others: in Mesa 22.3, a vertex array that holds a deleted buffer still holds it after glBindVertexBuffer with a new buffer
+// of that name.
 class LargeNames {
  public:
   GLuint take() {
-    if (free_.empty()) {
-      return next_--;
-    }
-    const GLuint name = free_.back();
-    free_.pop_back();
-    return name;
+    next_ = next_ > least ? next_ - 1 : largest - 1;
+    return next_;
   }
-  void give_back(GLuint name) { free_.push_back(name); }
 
   std::mutex mutex;  // held until a buffer has the name, so that no other thread finds the name free
 
  private:
-  std::vector<GLuint> free_;
-  GLuint next_ = largest - 1;
+  GLuint next_ = largest;
 };
 
 LargeNames& large_names() {
@@ -60,20 +55,15 @@ GLuint bind_new_buffer(const gl::Dispatch& gl) {
     return name;
   }
   const std::lock_guard lock(large_names().mutex);
-  GLuint name = largest;
+  if (gl.IsBuffer(largest) == GL_FALSE) {
+    gl.BindBuffer(GL_COPY_WRITE_BUFFER, largest);
+  }
+  GLuint name = large_names().take();
   while (gl.IsBuffer(name) == GL_TRUE) {
     name = large_names().take();
   }
   gl.BindBuffer(GL_COPY_WRITE_BUFFER, name);
   return name;
-}
-
-void delete_buffer(const gl::Dispatch& gl, GLuint name) {
-  const std::lock_guard lock(large_names().mutex);
-  gl.DeleteBuffers(1, &name);
-  if (name >= least && name < largest) {
-    large_names().give_back(name);
-  }
 }
 
 }  // namespace glark::core

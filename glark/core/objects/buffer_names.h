@@ -12,6 +12,4 @@ namespace glark::core {
 // Makes a buffer object, as glGenBuffers and a first glBindBuffer to GL_COPY_WRITE_BUFFER do. It stays bound there.
 GLuint bind_new_buffer(const gl::Dispatch& gl);
 
-void delete_buffer(const gl::Dispatch& gl, GLuint name);
-
 }  // namespace glark::core

@@ -36,7 +36,7 @@ bool GpuBuffer::allocate(const gl::Dispatch& gl, std::int64_t size, const void* 
     gl.BufferData(GL_COPY_WRITE_BUFFER, static_cast<GLsizeiptr>(size), data, usage);
   }
   if (gl.GetError() != GL_NO_ERROR) {
-    delete_buffer(gl, fresh);
+    gl.DeleteBuffers(1, &fresh);
     return false;
   }
   release(gl);
@@ -80,7 +80,7 @@ void GpuBuffer::copy_from(const gl::Dispatch& gl, GLuint buffer, std::int64_t fr
 
 void GpuBuffer::release(const gl::Dispatch& gl) {
   if (name_ != 0) {
-    delete_buffer(gl, name_);
+    gl.DeleteBuffers(1, &name_);
     deleted.fetch_add(1, std::memory_order_relaxed);
     name_ = 0;
     size_ = 0;

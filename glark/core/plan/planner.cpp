@@ -7,14 +7,14 @@
 #include <cstring>
 #include <string>
 
-#include "glark/core/plan/compile_choice.h"
 #include "glark/core/plan/depths/budget_choice.h"
 #include "glark/core/plan/depths/depth_choice.h"
-#include "glark/core/plan/derived_key.h"
 #include "glark/core/plan/draw_notes.h"
 #include "glark/core/plan/facets.h"
 #include "glark/core/plan/inputs/instanced_inputs.h"
-#include "glark/core/plan/program_choice.h"
+#include "glark/core/plan/programs/compile_choice.h"
+#include "glark/core/plan/programs/derived_key.h"
+#include "glark/core/plan/programs/program_choice.h"
 #include "glark/core/plan/refinement_choice.h"
 #include "glark/core/plan/unrefined/draw_rules.h"
 #include "glark/core/plan/unrefined/exemptions.h"

@@ -13,8 +13,8 @@
 
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/layout.h"
-#include "glark/core/objects/compute_pass.h"
 #include "glark/core/objects/gpu_buffer.h"
+#include "glark/core/objects/programs/compute_pass.h"
 #include "glark/core/polygons/decomposition.h"
 #include "glark/gl/dispatch.h"
 

@@ -4,7 +4,7 @@
 
 #include "glark/core/objects/error_scope.h"
 #include "glark/core/objects/gpu_buffer.h"
-#include "glark/core/objects/shader.h"
+#include "glark/core/objects/programs/shader.h"
 
 namespace glark::polygons {
 namespace {

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "glark/core/ark_state.h"
-#include "glark/core/objects/compilation.h"
 #include "glark/core/objects/error_scope.h"
+#include "glark/core/objects/programs/compilation.h"
 #include "glark/core/state/capabilities.h"
 #include "glark/core/state/gl_state.h"
 #include "glark/core/state/share_group.h"

@@ -10,8 +10,8 @@
 
 #include "glark/core/capture/coarse_triangles.h"
 #include "glark/core/capture/layout.h"
-#include "glark/core/objects/compilation.h"
-#include "glark/core/objects/compute_pass.h"
+#include "glark/core/objects/programs/compilation.h"
+#include "glark/core/objects/programs/compute_pass.h"
 #include "glark/gl/dispatch.h"
 
 namespace glark::weld {

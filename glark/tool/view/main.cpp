@@ -40,9 +40,8 @@ struct View {
   ViewOptions options;
 };
 
-void describe(CLI::App& command, View& view) {
+void describe_models(CLI::App& command, View& view) {
   describe_input(command, view.files);
-  ViewOptions& options = view.options;
   command.add_option("OTHER", view.other, "A second model, which is shown beside the first one by the same camera");
   command
       .add_option("--measure", view.reference,
@@ -57,6 +56,9 @@ void describe(CLI::App& command, View& view) {
   command.add_option("--offscreen", view.picture, "Write a picture and exit; needs no display")
       ->type_name("OUT.png")
       ->excludes("--turntable");
+}
+
+void describe_modes(CLI::App& command, ViewOptions& options) {
   command
       .add_option("--mode", options.mode,
                   "splat, strip (strips of the points; of a file with strips or triangles, these), mesh, wireframe, "
@@ -77,6 +79,11 @@ void describe(CLI::App& command, View& view) {
       ->transform(one_of<MapsShown>(
           {{"plain", MapsShown::plain}, {"normal", MapsShown::normal}, {"displaced", MapsShown::displaced}}))
       ->type_name("MAPS");
+  command.add_flag("--lines", options.settings.lines, "Draw refined triangles, and those of maps, as lines");
+  command.add_flag("!--no-cull", options.settings.cull, "Also draw strips that are out of view or face away");
+}
+
+void describe_camera(CLI::App& command, ViewOptions& options) {
   command.add_option("--width", options.width, "Width of the picture in pixels; default 1024")
       ->check(CLI::Range(1, largest_side));
   command.add_option("--height", options.height, "Height of the picture in pixels; default 768")
@@ -90,25 +97,33 @@ void describe(CLI::App& command, View& view) {
       ->transform(one_of<bool>({{"y", false}, {"z", true}}))
       ->type_name("AXIS");
   command.add_option("--zoom", options.zoom, "Zoom; default 1, which shows everything")->check(between(0.01, 1000.0));
+}
+
+void describe_refinement(CLI::App& command, DrawSettings& settings) {
   command
-      .add_option("--refine", options.settings.refinement,
+      .add_option("--refine", settings.refinement,
                   "pn (curved PN triangles), phong or linear (flat triangles); default pn")
       ->transform(
           one_of<Refinement>({{"pn", Refinement::pn}, {"phong", Refinement::phong}, {"linear", Refinement::linear}}))
       ->type_name("REFINEMENT");
-  command.add_option("--level", options.settings.level, "Level of refinement, 0 to 4; default 2")
+  command.add_option("--level", settings.level, "Level of refinement, 0 to 4; default 2")
       ->check(CLI::Range(0, deepest_level));
   command
       .add_option(
-          "--edge-pixels", options.settings.edge_pixels,
+          "--edge-pixels", settings.edge_pixels,
           "Refine edges into segments of at most so many pixels, instead of --level; default for displaced maps: 4")
       ->check(CLI::Range(1, 10000));
   command
-      .add_option("--budget", options.settings.budget,
+      .add_option("--budget", settings.budget,
                   "At most so many refined triangles with --edge-pixels: the segments grow until it holds")
       ->check(CLI::Range(0, 1000000000));
-  command.add_flag("--lines", options.settings.lines, "Draw refined triangles, and those of maps, as lines");
-  command.add_flag("!--no-cull", options.settings.cull, "Also draw strips that are out of view or face away");
+}
+
+void describe(CLI::App& command, View& view) {
+  describe_models(command, view);
+  describe_modes(command, view.options);
+  describe_camera(command, view.options);
+  describe_refinement(command, view.options.settings);
 }
 
 Report report_of(const Statistics& drawn) {

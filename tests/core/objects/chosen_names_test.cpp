@@ -119,6 +119,28 @@ TEST_F(ChosenNames, AreFreeInALaterContext) {
   EXPECT_EQ(name, 2U);
 }
 
+// In Mesa 22.3, a vertex array that holds a deleted buffer still reads it after glBindVertexBuffer with a new buffer of that
+// name.
+TEST_F(ChosenNames, OfOursAreNotGivenAgain) {
+  constexpr GLuint largest = 0xFFFFFFFE;
+  constexpr GLuint most_names = 400;
+  draw_repeatedly();
+  std::vector<GLuint> free;  // above the least name of ours
+  std::vector<GLuint> freed;
+  for (GLuint name = largest; name > largest - most_names; --name) {
+    if (glIsBuffer(name) == GL_FALSE) {
+      free.push_back(name);
+    } else {
+      freed = free;
+    }
+  }
+  EXPECT_FALSE(freed.empty());
+  glARKinit(5);
+  glARKinit(6);
+  draw_repeatedly();
+  for (const GLuint name : freed) EXPECT_EQ(glIsBuffer(name), GL_FALSE) << name;
+}
+
 // glark makes several lists of its own of each list that draws.
 TEST_F(ChosenNames, ListsHaveTheNamesThatTheyHaveWithoutRefinement) {
   refine_uniformly(2, GL_LINEAR_OUTPUTS_ARK);

@@ -20,7 +20,7 @@
 #include "glark/clients/geometry/measure/topology.h"
 #include "glark/clients/geometry/read/gltf_check.h"
 #include "glark/clients/geometry/read/material_images.h"
-#include "glark/clients/geometry/read/point_builder.h"
+#include "glark/clients/geometry/read/points/point_builder.h"
 #include "glark/clients/geometry/read/scene/gltf_textures.h"
 #include "glark/clients/geometry/read/scene/mtl_pictures.h"
 #include "glark/clients/geometry/read/scene/obj_vertices.h"

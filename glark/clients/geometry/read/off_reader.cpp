@@ -17,7 +17,7 @@
 #include <vector>
 
 #include "glark/clients/geometry/measure/topology.h"
-#include "glark/clients/geometry/read/point_builder.h"
+#include "glark/clients/geometry/read/points/point_builder.h"
 
 namespace glark::geometry {
 namespace {

@@ -12,8 +12,8 @@
 #include <optional>
 
 #include "glark/clients/geometry/parse/ply_values.h"
-#include "glark/clients/geometry/read/point_builder.h"
-#include "glark/clients/geometry/read/point_counter.h"
+#include "glark/clients/geometry/read/points/point_builder.h"
+#include "glark/clients/geometry/read/points/point_counter.h"
 
 namespace glark::geometry {
 namespace {

@@ -8,8 +8,8 @@
 #include <cmath>
 #include <optional>
 
-#include "glark/clients/geometry/read/point_builder.h"
-#include "glark/clients/geometry/read/point_counter.h"
+#include "glark/clients/geometry/read/points/point_builder.h"
+#include "glark/clients/geometry/read/points/point_counter.h"
 
 namespace glark::geometry {
 namespace {

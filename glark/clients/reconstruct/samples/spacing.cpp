@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "glark/clients/common/points/moments.h"
 #include "glark/clients/common/points/point_set.h"
@@ -34,11 +35,49 @@ float flat_height(const Record& record, Float4 centroid, Float4 normal) {
   return dot(record.point() - centroid, normal + record.normal) / 2;
 }
 
+struct Layers {
+  std::ptrdiff_t begin = 0, end = 0;              // of the largest
+  float gap = std::numeric_limits<float>::max();  // the least distance of two
+};
+
+// Layers are the runs of sorted heights without a gap that is wide beside the spacing of their samples. `square` is the
+// mean squared distance of the samples from the axis.
+Layers largest_layer(const std::vector<float>& heights, double square) {
+  constexpr float far = 1.5F;  // the least distance of two layers, relative to the distance of samples
+  Layers layers;
+  const auto count = static_cast<std::ptrdiff_t>(heights.size());
+  const auto step = [&](std::ptrdiff_t i) {
+    return heights[static_cast<std::size_t>(i)] - heights[static_cast<std::size_t>(i - 1)];
+  };
+  for (std::ptrdiff_t begin = 0, i = 1; i <= count; ++i) {
+    // A square of the side a has the mean square a^2 / 6.
+    const auto spacing = static_cast<float>(std::sqrt(6 * square / static_cast<double>(i - begin)));
+    if (i != count && step(i) < far * spacing) continue;
+    if (i - begin > layers.end - layers.begin) {
+      layers.begin = begin;
+      layers.end = i;
+    }
+    if (i != count) layers.gap = std::min(layers.gap, step(i));
+    begin = i;
+  }
+  return layers;
+}
+
+// The standard deviation of the heights of a layer.
+float thickness(std::span<const float> heights) {
+  float sum = 0, squares = 0;
+  for (const float height : heights) {
+    sum += height;
+    squares += height * height;
+  }
+  const auto count = static_cast<float>(heights.size());
+  return std::sqrt(std::max(0.0F, squares - sum * sum / count) / count);
+}
+
 // Keeps the largest of several layers that face the same way. Layers are no noise: they are farther apart than their
 // samples are from each other, and than these are from their layer. Returns whether there are several.
 bool keep_one_layer(std::vector<Record>& records) {
-  constexpr float far = 1.5F;           // the least distance of two layers, relative to the distance of samples
-  constexpr float farther = 3;          // and relative to the heights of a layer's samples
+  constexpr float farther = 3;  // the least distance of two layers, relative to the heights of a layer's samples
   constexpr std::ptrdiff_t fewest = 4;  // samples of another layer
   Float4 normal{}, centroid{};
   for (const Record& record : records) {
@@ -56,31 +95,13 @@ bool keep_one_layer(std::vector<Record>& records) {
     const float along = dot(way, normal);
     square += static_cast<double>(dot(way, way) - along * along) / static_cast<double>(records.size());
   }
-  auto best = heights.begin(), best_end = heights.begin();
-  float gap = std::numeric_limits<float>::max();  // the least distance of two layers
-  for (auto begin = heights.begin(), i = begin + 1; begin != heights.end(); ++i) {
-    // A square of the side a has the mean square a^2 / 6.
-    const auto spacing = static_cast<float>(std::sqrt(6 * square / static_cast<double>(i - begin)));
-    if (i != heights.end() && *i - *(i - 1) < far * spacing) continue;
-    if (i - begin > best_end - best) {
-      best = begin;
-      best_end = i;
-    }
-    if (i != heights.end()) gap = std::min(gap, *i - *(i - 1));
-    begin = i;
-    if (i == heights.end()) break;
-  }
-  if (best_end - best + fewest > heights.end() - heights.begin()) return false;
-  float sum = 0, squares = 0;
-  for (auto i = best; i != best_end; ++i) {
-    sum += *i;
-    squares += *i * *i;
-  }
-  const auto count = static_cast<float>(best_end - best);
-  if (gap < farther * std::sqrt(std::max(0.0F, squares - sum * sum / count) / count)) return false;
-  const auto first = records.begin() + (best - heights.begin()), last = first + (best_end - best);
-  records.erase(last, records.end());
-  records.erase(records.begin(), first);
+  const Layers layers = largest_layer(heights, square);
+  const auto size = static_cast<std::size_t>(layers.end - layers.begin);
+  if (layers.end - layers.begin + fewest > static_cast<std::ptrdiff_t>(heights.size())) return false;
+  if (layers.gap < farther * thickness(std::span(heights).subspan(static_cast<std::size_t>(layers.begin), size)))
+    return false;
+  records.erase(records.begin() + layers.end, records.end());
+  records.erase(records.begin(), records.begin() + layers.begin);
   return true;
 }
 

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "glark/clients/common/mesh/reindex.h"
-#include "glark/clients/vstree/simplify/boundary.h"
 #include "glark/clients/vstree/simplify/quadtrees.h"
 #include "glark/clients/vstree/simplify/shapes.h"
+#include "glark/clients/vstree/simplify/sheets/boundary.h"
 #include "glark/clients/vstree/simplify/split_clusters.h"
 #include "glark/clients/vstree/tree/construction.h"
 #include "glark/clients/vstree/tree/prune.h"
@@ -145,7 +145,7 @@ class WholeErrors {
   std::vector<float> errors_;
 };
 
-Clusters cluster_by_tree(const Surface& surface, const SimplifyOptions& options, const Workers& workers) {
+Options tree_options_for(const Surface& surface, const SimplifyOptions& options) {
   Options tree_options;
   tree_options.surface = options.clustering == Clustering::volume_surface;
   tree_options.metric = options.metric;
@@ -159,27 +159,38 @@ Clusters cluster_by_tree(const Surface& surface, const SimplifyOptions& options,
         std::max(1.0F, std::floor(static_cast<float>(static_cast<double>(surface.size()) /
                                                      (parts_a_cluster * static_cast<double>(clusters)))));
   }
+  return tree_options;
+}
+
+// The quadtrees of the layer of a volume-surface tree, with planes along the boundaries of the surface where it has some.
+Clusters cluster_by_quadtrees(const Surface& surface, std::size_t target, const Nodes& layer, const Records& sorted,
+                              std::size_t samples, const Workers& workers) {
+  const auto with = [&](const BoundaryPlanes* boundary) {
+    const Quadtrees quadtrees(layer, sorted.all(), samples, boundary, workers);
+    return search(surface, target, workers, [&](std::size_t aim) {
+      Clusters clusters;
+      clusters.count = quadtrees.cluster(aim, clusters.of);
+      return clusters;
+    });
+  };
+  Clusters clusters = with(nullptr);
+  std::vector<BoundaryEdge> boundary = boundary_edges(surface, clusters);
+  if (!boundary.empty()) {
+    const BoundaryPlanes planes(surface, boundary);
+    clusters = with(&planes);
+  }
+  clusters.boundary = std::move(boundary);
+  return clusters;
+}
+
+Clusters cluster_by_tree(const Surface& surface, const SimplifyOptions& options, const Workers& workers) {
+  const Options tree_options = tree_options_for(surface, options);
   std::vector<std::uint32_t> order;
   Records sorted;
   if (options.target != 0 && tree_options.surface) {
     const Nodes layer = construct(surface.points, surface.cube, tree_options, order, workers, &sorted, true);
-    const auto samples = static_cast<std::size_t>(tree_options.threshold);
-    const auto with = [&](const BoundaryPlanes* boundary) {
-      const Quadtrees quadtrees(layer, sorted.all(), samples, boundary, workers);
-      return search(surface, options.target, workers, [&](std::size_t aim) {
-        Clusters clusters;
-        clusters.count = quadtrees.cluster(aim, clusters.of);
-        return clusters;
-      });
-    };
-    Clusters clusters = with(nullptr);
-    std::vector<BoundaryEdge> boundary = boundary_edges(surface, clusters);
-    if (!boundary.empty()) {
-      const BoundaryPlanes planes(surface, boundary);
-      clusters = with(&planes);
-    }
-    clusters.boundary = std::move(boundary);
-    return clusters;
+    return cluster_by_quadtrees(surface, options.target, layer, sorted,
+                                static_cast<std::size_t>(tree_options.threshold), workers);
   }
   const Nodes tree = construct(surface.points, surface.cube, tree_options, order, workers, &sorted);
   if (options.target == 0) return leaves_of(tree.nodes, order, std::vector<float>(tree.nodes.size()), -1);

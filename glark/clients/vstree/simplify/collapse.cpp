@@ -10,7 +10,7 @@
 
 #include "glark/clients/common/mesh/rounded_places.h"
 #include "glark/clients/common/mixed_bits.h"
-#include "glark/clients/vstree/simplify/touching_sheets.h"
+#include "glark/clients/vstree/simplify/sheets/touching_sheets.h"
 #include "glark/clients/vstree/validation.h"
 #if GLARK_HAS_MESHOPTIMIZER
 #include <meshoptimizer.h>

@@ -11,7 +11,7 @@
 #include <deque>
 #include <vector>
 
-#include "glark/clients/vstree/simplify/boundary.h"
+#include "glark/clients/vstree/simplify/sheets/boundary.h"
 #include "glark/clients/vstree/tree/construction.h"
 #include "glark/clients/vstree/tree/prune.h"
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <memory>
 
-#include "glark/clients/vstree/simplify/boundary.h"
+#include "glark/clients/vstree/simplify/sheets/boundary.h"
 
 namespace glark::vstree {
 namespace {

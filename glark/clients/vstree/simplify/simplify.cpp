@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <utility>
@@ -11,12 +12,12 @@
 #include "glark/clients/common/mesh/reindex.h"
 #include "glark/clients/common/points/point_set.h"
 #include "glark/clients/common/vertex_normals.h"
-#include "glark/clients/vstree/simplify/boundary.h"
 #include "glark/clients/vstree/simplify/clusters.h"
 #include "glark/clients/vstree/simplify/collapse.h"
-#include "glark/clients/vstree/simplify/components.h"
 #include "glark/clients/vstree/simplify/shapes.h"
-#include "glark/clients/vstree/simplify/touching_sheets.h"
+#include "glark/clients/vstree/simplify/sheets/boundary.h"
+#include "glark/clients/vstree/simplify/sheets/components.h"
+#include "glark/clients/vstree/simplify/sheets/touching_sheets.h"
 #include "glark/clients/vstree/validation.h"
 
 namespace glark::vstree {
@@ -88,6 +89,31 @@ std::vector<std::uint32_t> compact(std::vector<std::uint32_t>& triangles, std::s
   return kept;
 }
 
+// The vertices of the result: the representatives of clusters, several of a cluster whose sheets are cut apart.
+struct Vertices {
+  std::vector<std::uint32_t> cluster_of;
+  std::vector<Float4> points;  // in the unit cube
+  bool is_cut = false;
+};
+
+// Cuts sheets that touch, and drops the vertices that no triangle uses.
+void cut_and_compact(const Clusters& clusters, bool cut, std::vector<std::uint32_t>& triangles, Vertices& vertices) {
+  auto& [cluster_of, points, is_cut] = vertices;
+  if (cut) {
+    cluster_of = cut_sheets(triangles, points, clusters.irregular);
+    for (std::size_t i = points.size(); i < cluster_of.size(); ++i) points.push_back(Float4(points[cluster_of[i]]));
+    move_apart(points, triangles, cluster_of, apart);
+    is_cut = cluster_of.size() > clusters.count;
+  }
+  const std::vector<std::uint32_t> kept = compact(triangles, cluster_of.size());
+  for (std::size_t i = 0; i < kept.size(); ++i) {  // kept[i] is not below i
+    cluster_of[i] = cluster_of[kept[i]];
+    points[i] = points[kept[i]];
+  }
+  cluster_of.resize(kept.size());
+  points.resize(kept.size());
+}
+
 Simplified cluster_vertices(const Surface& surface, const SimplifyOptions& options, const Workers& workers) {
   const std::span<const std::uint32_t> triangles = surface.triangles;
   Clusters clusters = cluster(surface, options, workers);
@@ -97,37 +123,24 @@ Simplified cluster_vertices(const Surface& surface, const SimplifyOptions& optio
   const Representatives stand = representatives(surface, clusters, options.representative, workers);
 
   Simplified result;
-  std::vector<std::uint32_t> cluster_of(clusters.count);  // for each vertex of the result
-  for (std::uint32_t i = 0; i < clusters.count; ++i) cluster_of[i] = i;
-  std::vector<Float4> points = stand.points;  // of the vertices
-  bool is_cut = false;
+  Vertices vertices{std::vector<std::uint32_t>(clusters.count), stand.points};
+  std::iota(vertices.cluster_of.begin(), vertices.cluster_of.end(), 0U);
   if (!triangles.empty()) {
     result.triangles = std::move(clusters.triangles);
-    if (options.cut) {
-      cluster_of = cut_sheets(result.triangles, points, clusters.irregular);
-      for (std::size_t i = points.size(); i < cluster_of.size(); ++i) points.push_back(Float4(points[cluster_of[i]]));
-      move_apart(points, result.triangles, cluster_of, apart);
-      is_cut = cluster_of.size() > clusters.count;
-    }
-    const std::vector<std::uint32_t> kept = compact(result.triangles, cluster_of.size());
-    for (std::size_t i = 0; i < kept.size(); ++i) {  // kept[i] is not below i
-      cluster_of[i] = cluster_of[kept[i]];
-      points[i] = points[kept[i]];
-    }
-    cluster_of.resize(kept.size());
-    points.resize(kept.size());
+    cut_and_compact(clusters, options.cut, result.triangles, vertices);
   }
+  const std::vector<std::uint32_t>& cluster_of = vertices.cluster_of;
   std::vector<std::uint32_t> vertex_of(clusters.count, none);
   for (std::uint32_t i = static_cast<std::uint32_t>(cluster_of.size()); i-- > 0;) vertex_of[cluster_of[i]] = i;
   result.representatives.reserve(clusters.of.size());
   for (const std::uint32_t cluster : clusters.of) result.representatives.push_back(vertex_of[cluster]);
   result.positions.reserve(3 * cluster_of.size());
-  for (const Float4& inside : points) {
+  for (const Float4& inside : vertices.points) {
     const Float4 point = surface.cube.low + inside * surface.cube.side;
     result.positions.insert(result.positions.end(), {point[0], point[1], point[2]});
   }
   write_attributes(surface, clusters, stand, cluster_of, result);
-  if (is_cut) {
+  if (vertices.is_cut) {
     drop_pinched_off(surface, result);
     drop_unused_vertices(result);
   }

@@ -17,9 +17,9 @@
 #include "glark/core/depth/measure/measuring_pass.h"
 #include "glark/core/depth/measure/screen_positions.h"
 #include "glark/core/depth/measure/shown_edges.h"
-#include "glark/core/objects/compilation.h"
-#include "glark/core/objects/compute_pass.h"
 #include "glark/core/objects/gpu_buffer.h"
+#include "glark/core/objects/programs/compilation.h"
+#include "glark/core/objects/programs/compute_pass.h"
 #include "glark/core/state/bindings.h"
 #include "glark/gl/dispatch.h"
 

@@ -10,7 +10,7 @@
 
 #include "glark/core/capture/layout.h"
 #include "glark/core/depth/depth_plan.h"
-#include "glark/core/objects/compute_pass.h"
+#include "glark/core/objects/programs/compute_pass.h"
 
 namespace glark::depth {
 

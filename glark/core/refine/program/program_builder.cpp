@@ -8,7 +8,7 @@
 #include <atomic>
 #include <optional>
 
-#include "glark/core/objects/shader.h"
+#include "glark/core/objects/programs/shader.h"
 #include "glark/core/refine/facet_normals.h"
 #include "glark/core/refine/glsl/geometry_shader.h"
 #include "glark/core/refine/program/labels.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Hooks of glBegin and glEnd. The vertices go straight to GL; they are only counted.
-#include "glark/core/plan/program_choice.h"
+#include "glark/core/plan/programs/program_choice.h"
 #include "glark/core/track/immediate/count_vertex.h"
 #include "glark/core/track/lists/lists.h"
 #include "glark/core/track/track.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/clients/vstree/simplify/components.h"
+#include "glark/clients/vstree/simplify/sheets/components.h"
 
 #include <algorithm>
 #include <array>

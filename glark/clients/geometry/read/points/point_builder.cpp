@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/clients/geometry/read/point_builder.h"
+#include "glark/clients/geometry/read/points/point_builder.h"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 // Builds the geometry of the points and polygons that a reader finds.
 #pragma once
 
-#include "glark/clients/geometry/read/point_sink.h"
+#include "glark/clients/geometry/read/points/point_sink.h"
 
 namespace glark::geometry {
 

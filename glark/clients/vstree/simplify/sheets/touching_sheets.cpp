@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/clients/vstree/simplify/touching_sheets.h"
+#include "glark/clients/vstree/simplify/sheets/touching_sheets.h"
 
 #include <meshoptimizer.h>
 
@@ -13,7 +13,7 @@
 #include "glark/clients/common/mesh/cut_sheets.h"
 #include "glark/clients/common/mesh/half_edges.h"
 #include "glark/clients/common/mesh/reindex.h"
-#include "glark/clients/vstree/simplify/components.h"
+#include "glark/clients/vstree/simplify/sheets/components.h"
 
 namespace glark::vstree {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/clients/vstree/simplify/boundary.h"
+#include "glark/clients/vstree/simplify/sheets/boundary.h"
 
 #include <algorithm>
 #include <bit>

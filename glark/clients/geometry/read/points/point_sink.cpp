@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/clients/geometry/read/point_sink.h"
+#include "glark/clients/geometry/read/points/point_sink.h"
 
 #include <fmt/format.h>
 

@@ -4,7 +4,7 @@
 
 #include "glark/core/ark_state.h"
 #include "glark/core/context_options.h"
-#include "glark/core/objects/compilation.h"
+#include "glark/core/objects/programs/compilation.h"
 
 namespace glark::core {
 

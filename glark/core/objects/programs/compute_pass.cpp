@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/objects/compute_pass.h"
+#include "glark/core/objects/programs/compute_pass.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <string>
 
-#include "glark/core/objects/shader.h"
+#include "glark/core/objects/programs/shader.h"
 
 namespace glark::core {
 namespace {

@@ -20,8 +20,8 @@
 #include <utility>
 #include <vector>
 
-#include "glark/python/array_argument.h"
-#include "glark/python/whole_number.h"
+#include "glark/python/convert/array_argument.h"
+#include "glark/python/convert/whole_number.h"
 
 namespace glark::python {
 

@@ -9,7 +9,7 @@
 #include <set>
 #include <span>
 
-#include "glark/core/objects/compute_pass.h"
+#include "glark/core/objects/programs/compute_pass.h"
 #include "glark/core/report/compile_progress.h"
 #include "glark/gl/dispatch.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/clients/geometry/read/point_counter.h"
+#include "glark/clients/geometry/read/points/point_counter.h"
 
 #include <fmt/format.h>
 

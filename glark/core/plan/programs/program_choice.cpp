@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/plan/program_choice.h"
+#include "glark/core/plan/programs/program_choice.h"
 
 namespace glark::core {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/objects/compilation.h"
+#include "glark/core/objects/programs/compilation.h"
 
 #include <gtest/gtest.h>
 

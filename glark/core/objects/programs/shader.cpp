@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/objects/shader.h"
+#include "glark/core/objects/programs/shader.h"
 
 #include <array>
 #include <vector>

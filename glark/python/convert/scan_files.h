@@ -7,7 +7,7 @@
 #include <glark/point_stream.h>
 
 #include "glark/clients/geometry/geometry.h"
-#include "glark/python/arrays.h"
+#include "glark/python/convert/arrays.h"
 
 namespace glark::python {
 

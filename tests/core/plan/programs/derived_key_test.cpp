@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/plan/derived_key.h"
+#include "glark/core/plan/programs/derived_key.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/core/objects/compilation.h"
+#include "glark/core/objects/programs/compilation.h"
 
 #include <array>
 #include <chrono>
@@ -100,7 +100,7 @@ void Compilation::frame_finished() {
 
 void Compilation::release() {
   if (no_groups_ != 0) {
-    delete_buffer(gl_, no_groups_);
+    gl_.DeleteBuffers(1, &no_groups_);
     no_groups_ = 0;
   }
 }

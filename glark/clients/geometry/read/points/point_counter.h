@@ -4,7 +4,7 @@
 // Counts the points and triangles that a reader finds, hands them on to a visitor, and keeps none of them.
 #pragma once
 
-#include "glark/clients/geometry/read/point_sink.h"
+#include "glark/clients/geometry/read/points/point_sink.h"
 
 namespace glark::geometry {
 
