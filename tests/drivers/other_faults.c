@@ -93,6 +93,21 @@ static void show_client_arrays(void) {
   print_fault("client_arrays", (unsigned)enabled, 1, "says whether glPopClientAttrib restores an array");
 }
 
+static void draw_commands_of_client(GLenum mode) {
+  static const GLuint commands[] = {3, 1, 0, 0, 0, 1, 0, 0, 3, 1, 3, 0};
+  glMultiDrawArraysIndirect(mode, commands, 3, 0);
+}
+
+// OpenGL 4.6 compatibility, 10.4: commands in client memory, one of them without vertices.
+static void show_client_commands(void) {
+  program_of(GL_VERTEX_SHADER,
+             "#version 330 compatibility\nout float number;\n"
+             "void main() { number = float(gl_VertexID); gl_Position = vec4(1.0); }\n",
+             "number");
+  print_fault("client_commands", capture(draw_commands_of_client, GL_TRIANGLES).triangles, 2,
+              "triangles of three commands in client memory; the second has no vertices");
+}
+
 static unsigned red_of_square(float depth_left, float depth_right) {
   GLubyte pixel[4];
   glClear(GL_COLOR_BUFFER_BIT);
@@ -174,6 +189,7 @@ void show_other_faults(int version) {
   show_captured_provoking_vertex();
   show_client_arrays();
   if (version >= 43) {
+    show_client_commands();
     show_link_after_feedback();
     show_uniform_of_condition();
   }
