@@ -25,12 +25,15 @@ std::vector<DrawNote> draw_notes(const DrawNoteFacts& facts, unsigned bits) {
     const FallbackText& text = text_of(*facts.fallback);
     // The options of `glark run` do not apply to a program that calls the extension.
     const bool names = *facts.fallback == RefinementFallback::no_normal && !facts.transparent;
+    const char* const remedy = facts.fixed_function
+                                   ? "fixed function reads normals for lighting and for generated coordinates only"
+                                   : "name the attributes as man glark (VERTEX ATTRIBUTES) says";
     const std::string verdict =
         facts.left ? std::string("stays as it is") : fmt::format("is refined by {}", traits_of(facts.refinement).word);
-    notes.push_back({MessageId::other_refinement,
-                     fmt::format("{}: {}{}; {}", verdict, text.explanation,
-                                 facts.construct.empty() ? "" : fmt::format(" ({})", facts.construct),
-                                 names ? "name the attributes as man glark (VERTEX ATTRIBUTES) says" : text.remedy)});
+    notes.push_back(
+        {MessageId::other_refinement, fmt::format("{}: {}{}; {}", verdict, text.explanation,
+                                                  facts.construct.empty() ? "" : fmt::format(" ({})", facts.construct),
+                                                  names ? remedy : text.remedy)});
   }
   if ((bits & ignored_shader_bit) != 0) {
     notes.push_back(

@@ -19,6 +19,7 @@ struct DrawNoteFacts {
   Refinement refinement = Refinement::linear_inputs;  // the chosen one
   std::optional<RefinementFallback> fallback = std::nullopt;
   bool transparent = false;
+  bool fixed_function = false;
   bool left = false;            // the draw stays unrefined for this reason
   std::string construct = {};   // of the vertex stage, that is the reason
   bool ignores_shader = false;  // the refinement shader does not run

@@ -344,7 +344,6 @@ std::uint32_t Planner::instanced_inputs_of(const DrawCall& call, const Program& 
   });
 }
 
-// Tells each note once for each program.
 void Planner::tell_notes(Program& program, DrawNoteFacts facts) const {
   const unsigned bits = note_bits(facts) & ~program.told_notes;
   if (bits == 0) {
@@ -352,6 +351,7 @@ void Planner::tell_notes(Program& program, DrawNoteFacts facts) const {
   }
   program.told_notes |= bits;
   const refine::OutputVariation* const position = program.traits.variation.position();
+  facts.fixed_function = program.fixed_function;
   facts.construct = facts.fallback == RefinementFallback::unsound_stage && position != nullptr ? position->reason : "";
   const DebugOutput application{env_.gl, !facts.transparent && env_.bindings().debug_output, true};
   for (const DrawNote& note : draw_notes(facts, bits)) {

@@ -58,6 +58,7 @@ class Planner {
   std::optional<Cause> exempt(const Program& program, std::uint64_t triangles) const;
   std::optional<Cause> choose_wanted(DrawPlan& plan) const;
   std::uint32_t instanced_inputs_of(const DrawCall& call, const Program& program) const;
+  // Tells each note once for each program.
   void tell_notes(Program& program, DrawNoteFacts facts) const;
   void choose_depths(const DrawCall& call, DrawPlan& plan) const;
   bool changes_nothing(const DrawPlan& plan, Purpose purpose) const;

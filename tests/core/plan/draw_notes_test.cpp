@@ -25,6 +25,11 @@ TEST(DrawNotes, EachNoteHasItsBitAndItsMessage) {
   EXPECT_TRUE(draw_notes(facts, 0).empty());
 }
 
+TEST(DrawNotes, FixedFunctionHasNoAttributesToName) {
+  const DrawNoteFacts facts{.fallback = RefinementFallback::no_normal, .fixed_function = true};
+  EXPECT_NE(draw_notes(facts, note_bits(facts)).at(0).text.find("lighting"), std::string::npos);
+}
+
 TEST(DrawNotes, AUserIsToldTheOptions) {
   const DrawNoteFacts facts{.fallback = RefinementFallback::no_normal, .transparent = true};
   EXPECT_NE(draw_notes(facts, note_bits(facts)).at(0).text.find("--normal"), std::string::npos);
