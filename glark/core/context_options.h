@@ -42,7 +42,7 @@ struct EdgeMeasure {
   float degrees = 0;     // greatest angle between the normals at the ends of a segment
   float error = 0;       // greatest distance of an edge's curve from its segments on the screen, in pixels
   unsigned budget = 0;   // most refined triangles in a frame; 0: no limit
-  unsigned changes = 0;  // of these values by the application
+  unsigned changes = 0;  // how often the application has changed these values
   bool on() const { return pixels > 0 || degrees > 0 || error > 0; }
   bool operator==(const EdgeMeasure&) const = default;
 };

@@ -9,7 +9,7 @@
 
 namespace glark::settings {
 
-// Returns a sentence for each setting that the user gave and that changes nothing beside the others.
+// Returns a sentence for each setting that the user gave, but that has no effect together with the others.
 std::vector<std::string> idle_settings(const Settings& settings);
 
 }  // namespace glark::settings

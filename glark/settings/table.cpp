@@ -244,7 +244,7 @@ constexpr std::array other_settings{
             [](Settings& s, std::string_view text) { return assign(parse_captures(text), s.captures); }},
     Setting{output, "record", "GLARK_RECORD", Kind::output_file, "FILE.mp4", file_needed, "", "none",
             "Record the window as a film, by the program ffmpeg",
-            "The film has at most 30 frames a second, as they were shown. Its kind follows the ending of the file's name. "
+            "The film has at most 30 frames a second, as they were shown. The ending of the file's name chooses the format. "
             "A program with several windows gets a film of the one that is shown first.",
             [](Settings& s, std::string_view text) { return assign(parse_file(text), s.record_file); }},
     Setting{output, "stats", "GLARK_STATS", Kind::output_file, "FILE.json", file_needed, "", "none",

@@ -228,7 +228,8 @@ static_assert(RTLD_DEEPBIND == 8);
 
 #else
 
-// An optimising compiler turns the last call of these functions into a jump.
+// An optimising compiler turns the last call of these functions into a jump, so the real function sees the program's
+// return address.
 #define GLARK_EXPORT extern "C" __attribute__((visibility("default")))
 
 GLARK_EXPORT void* dlsym(void* handle, const char* name) noexcept {

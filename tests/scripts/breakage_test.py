@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
-"""Pictures that are broken on purpose, and pictures that refinement may make: the four numbers tell one from the other.
+"""Pictures that are broken on purpose, and pictures that refinement may make: the numbers tell one from the other.
 
 With the argument --report it prints, for each kind of picture, how many of 40 random ones each number finds.
 """
@@ -18,7 +18,7 @@ from breakage import breakage, curved, exact
 
 HEIGHT, WIDTH = 180, 240
 ROWS, COLUMNS = numpy.mgrid[0:HEIGHT, 0:WIDTH]
-NAMES = ("vanished", "appeared", "stripes", "strays")
+NAMES = ("vanished", "appeared", "stripes", "strays", "thin")
 
 
 class Scene:
@@ -141,6 +141,34 @@ def spots_moved(plain, refined, random):
         scene.fill(disc(60), plain.colour).fill(spots & disc(50), plain.colour * 0.2)
 
 
+def wires(spacing: int) -> numpy.ndarray:
+    return (COLUMNS % spacing < 2) | (ROWS % spacing < 2)
+
+
+def wires_sank(plain, refined, random):
+    """Wires over a ball: where it bulges, they lie inside it."""
+    spacing = random.integers(12, 20)
+    for scene, hidden in ((plain, 0), (refined, random.integers(35, 50))):
+        scene.fill(disc(60), plain.colour * shading(61)).fill(disc(58) & ~disc(hidden) & wires(spacing), 20)
+
+
+def small_balls_gone(plain, refined, random):
+    """Balls of five pixels on a surface of several colours that occur nearby."""
+    balls = ((COLUMNS % 24 - 12) ** 2 + (ROWS % 24 - 12) ** 2 < 7) & disc(70)
+    for scene in (plain, refined):
+        scene.fill(disc(70), plain.colour).fill((COLUMNS // 24 + ROWS // 24) % 2 == 0, plain.colour * 0.5)
+    plain.fill(balls, 20)
+    refined.fill(balls & (COLUMNS < random.integers(60, 90)), 20)
+
+
+def wires_kept(plain, refined, random):
+    """Wires over a ball that becomes round, and moves some of them by up to three pixels."""
+    bulge = numpy.where(disc(58), 3 * (1 - numpy.hypot(ROWS - 90, COLUMNS - 120) / 58), 0)
+    plain.fill(polygon(60, 12), plain.colour * shading(61)).fill(disc(56) & wires(16), 20)
+    refined.fill(disc(60), plain.colour * shading(61))
+    refined.fill(disc(56) & (((COLUMNS + bulge) % 16 < 2) | (ROWS % 16 < 2)), 20)
+
+
 def unchanged(plain, refined, random):
     for scene in (plain, refined):
         scene.fill(disc(50), plain.colour)
@@ -192,10 +220,11 @@ BROKEN = {
     "object gone": (object_gone, "vanished"), "object came": (object_came, "appeared"), "stick gone": (stick_gone, "vanished"),
     "pole swollen": (pole_swollen, "appeared"), "stripes": (fight(stripes), "stripes"), "noise": (fight(noise), "stripes"),
     "cracks": (cracks, "strays"), "black triangle": (black_triangle, "appeared"),
-    "poked through": (poked_through, "appeared"),
+    "poked through": (poked_through, "appeared"), "wires sank": (wires_sank, "thin"),
+    "small balls gone": (small_balls_gone, "thin"),
 }
 HEALTHY = {function.__name__.replace("_", " "): function for function in
-           (unchanged, rounded, smooth_light, highlight, lit_texture, texture_moved, spots_moved, rounding)}
+           (unchanged, rounded, smooth_light, highlight, lit_texture, texture_moved, spots_moved, wires_kept, rounding)}
 
 
 def counts(paint, seed: int, allowance) -> dict:

@@ -39,7 +39,8 @@ GLuint bind_words(GLenum target, const std::vector<GLuint>& words) {
   return buffer;
 }
 
-// Draws with each depth source. Expects the picture `plain`, and `triangles` refined triangles for each coarse one.
+// Draws `triangles` coarse triangles with each depth source. Expects the picture `plain`, and four refined triangles
+// for each coarse one.
 void expect_drawn(Test& t, const Picture& plain, GLuint triangles, const Draw& draw, const std::string& what) {
   for (const bool is_uniform : {true, false}) {
     is_uniform ? refine_uniformly(1) : refine_by_tags(2);

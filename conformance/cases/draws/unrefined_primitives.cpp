@@ -60,7 +60,7 @@ void check_primitive_picture(Test& t, GLenum mode) {
   t.expect_no_error("drawing");
 }
 
-// Checks that the bending program shows refinement at all.
+// Checks that the strip is drawn at all without refinement. Otherwise equal pictures would prove nothing.
 void control_bending(Test& t) {
   gl.UseProgram(build_program(t, {.vertex = bending}));
   upload(fan_mesh(), false);

@@ -107,7 +107,7 @@ struct Nest {
   int before;  // vertices of each list before the call, and after it
   int after;
   int innermost;            // vertices of the last list
-  bool is_several = false;  // CallLists of the next list and of one without vertices
+  bool is_several = false;  // CallLists calls a list without vertices, then the next list
   bool is_outside = false;  // Begin and End are in no list
 };
 

@@ -110,7 +110,7 @@ void expect_as_unrefined(Test& t, const Picture& plain, const std::string& what)
 
 enum class Way { by_call, by_list, by_pop };
 
-// By PopAttrib, the state changes back to what it was before.
+// by_pop: the change is made before the first draw, and PopAttrib undoes it between the draws.
 void check_change(Test& t, const Change& change, Way way) {
   change.set_up();
   if (way == Way::by_pop) {

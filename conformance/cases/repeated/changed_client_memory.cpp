@@ -23,7 +23,7 @@ struct MemoryVertex {
   GLubyte other = 0;  // between the end of a vertex and the next one
 };
 
-// Three triangles. The first one has no other purpose than to lie before the two that draws use.
+// Three triangles. Draws use the last two, so the numbers of their vertices do not begin at 0.
 struct Memory {
   std::array<MemoryVertex, memory_vertices> mixed;  // all arrays in one
   std::array<Vec3, memory_vertices> positions;

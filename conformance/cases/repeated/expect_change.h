@@ -16,7 +16,7 @@ namespace glark::conformance {
 
 using Draw = std::function<void()>;
 
-// Compares several refined draws with the unrefined one, and returns the latter.
+// Compares several refined draws with the unrefined one. Returns the unrefined picture.
 inline Picture expect_as_unrefined(Test& t, const Draw& draw, const std::string& what) {
   std::vector<Picture> refined;
   refined.push_back(picture_of(draw));
@@ -25,7 +25,8 @@ inline Picture expect_as_unrefined(Test& t, const Draw& draw, const std::string&
   gl.Disable(GL_ARK);
   Picture plain = picture_of(draw);
   gl.Enable(GL_ARK);
-  // A change follows refined draws: Disable and Enable may make an implementation ask GL for what it would follow otherwise.
+  // After Enable, an implementation may read its state from GL in the next draw. Draw here, so that it has to notice
+  // the caller's change by itself.
   for (int again = 0; again < 2; ++again) draw();
   t.expect(count_different(plain, Picture(surface_size, surface_size), 8) > 300, "something is drawn, " + what);
   for (const Picture& picture : refined) t.expect_same_picture(picture, plain, what, 4, 80);

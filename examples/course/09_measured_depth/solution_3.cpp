@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Exercise 3 of lesson 9: no popping. The eye comes closer in many steps. A query counts how much of the picture the
-// ball covers. Where an edge gets one level more at once, the ball grows at once. It should grow little by little.
+// ball covers. If an edge gains a whole level in one step, the ball grows suddenly. It should grow little by little.
 #define GL_GLEXT_PROTOTYPES
 #include <GL/gl.h>
 #include <GL/glext.h>

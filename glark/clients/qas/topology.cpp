@@ -12,8 +12,9 @@ namespace {
 
 // The indices of all triangles and edges must fit into 32 bits, also after a split.
 constexpr std::size_t most_triangles = 1U << 26;
-// A surface has memory for each vertex. Such a number of unused ones is a mistake, an uninitialised count for example.
-constexpr std::size_t many_vertices = 1U << 22, most_unused = 256;  // vertices, and vertices for each used one
+// A surface allocates memory for each vertex. If the triangles can use only a small part of many vertices, the count is
+// wrong, for example uninitialised.
+constexpr std::size_t many_vertices = 1U << 22, most_unused = 256;  // vertices; vertices for each corner of a triangle
 
 void check(const Mesh& mesh) {
   if (mesh.triangles.size() % 3 != 0) {

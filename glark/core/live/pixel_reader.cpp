@@ -5,7 +5,7 @@
 namespace glark::core {
 namespace {
 
-// During its lifetime, reads come from the framebuffer of the draws, into client memory without gaps.
+// While it lives, glReadPixels reads the draw framebuffer into client memory, tightly packed.
 class PixelState {
  public:
   explicit PixelState(const Environment& environment) : gl_(environment.gl) {

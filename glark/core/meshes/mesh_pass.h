@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What one draw says about its mesh. No GL.
+// The facts about a mesh that one draw shows. No GL.
 #pragma once
 
 #include <cstdint>

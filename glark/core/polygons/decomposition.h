@@ -13,7 +13,7 @@
 
 namespace glark::polygons {
 
-// The places of the vertices of a polygon, in the order of its boundary, among the corners of its triangles.
+// Maps the vertices of a polygon, numbered along its boundary, to the corners of its triangles.
 // Quad: corners[k] of the six corners of its two triangles is vertex k. Fan (GL_POLYGON): in every triangle, corners[0]
 // is vertex 0 of the polygon, corners[1] and corners[2] of triangle t are its vertices t + 1 and t + 2.
 struct Decomposition {

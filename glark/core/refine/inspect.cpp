@@ -61,7 +61,8 @@ void note_data_flow(const std::vector<VertexUnit>& units, const std::vector<Pars
   traits.variation = find_variation(trees, constants).value_or(too_large);
 }
 
-// Notes which outputs are interpolated. An array or a structure that is one output has values for its parts.
+// Notes which outputs are interpolated. `variation` has an entry for each member of a structure, but only one for all
+// elements of an array.
 void note_interpolation(const std::vector<OutputVariable>& outputs, const std::vector<Structure>& structures,
                         StageVariation& variation) {
   for (const OutputVariable& output : outputs) {

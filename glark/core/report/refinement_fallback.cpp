@@ -19,8 +19,8 @@ constexpr std::array<FallbackText, refinement_fallback_count> fallback_texts{{
     {"no_normal", "no attribute is known to be the position or the normal, so the triangles stay flat",
      "name them with --position and --normal"},
     {"flat_shading",
-     "glShadeModel(GL_FLAT) or a flat output shows each triangle in one colour, and its normals may be those of "
-     "triangles",
+     "glShadeModel(GL_FLAT) or a flat output shows each triangle in one colour, so the normals may belong to "
+     "triangles, not to a smooth surface",
      "--refine pn curves it"},
 }};
 

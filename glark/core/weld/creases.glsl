@@ -6,13 +6,14 @@
 // - A crease is an edge whose faces meet at more than a given angle although they share its normals. Such a normal is a
 //   mean of faces, not the normal of a surface. So every edge is straight at a position where a crease ends. A normal
 //   that is too steep on one of its faces has the same effect.
-// - A boundary is a crease, too, where the surface does not go on smoothly beyond it: the lid of a wall may be another
-//   draw.
+// - A boundary is a crease, too, unless the surface continues smoothly beyond it. For example, another draw may contain
+//   the lid of a wall.
 // - The control points of an edge stay within half the least height of all triangles at this edge. Triangles without an
 //   area do not count.
-// - A triangle whose normals lean away from its face, farther than they lie apart, is no piece of a surface with these
-//   normals. Its edges are straight.
-// - A piece in one plane that has the normal of the plane at a corner is the face of a body. Its boundary is straight.
+// - If the normals of a triangle lean away from its face by more than they differ from each other, they are not the
+//   normals of a surface there. The edges of this triangle are straight.
+// - A flat piece whose plane has the same normal as one of its corners is the face of a body, for example a roof. Its
+//   boundary is straight.
 //
 // Angles come from the positions alone: a triangle lies on one side of its edge, in a direction that its winding does
 // not change. Two triangles in one plane have opposite directions, folded triangles have the same.
@@ -56,8 +57,8 @@ struct Face {
   vec3 normal;  // of any length, of either direction; zero if the triangle has no area but for rounding
 };
 
-// The face has the same bits whichever corner comes first, but for the sign of the normal: the sums begin at the least
-// corner.
+// A triangle gives the same bits whichever corner comes first, except for the sign of the normal: all differences start
+// at the least corner.
 Face face_of(uvec4 a, uvec4 b, uvec4 c) {
   const float rounding = 1.0e-6;  // of the longest edge
   bool b_first = before(b, a);

@@ -31,9 +31,9 @@ std::optional<ElfFile> read_elf_file(const std::string& path);
 // launcher. A name without $LIB may be a library for any machine.
 std::optional<Preload> preload_of(const std::string& wanted, const ElfFile& own, const ReadElf& read);
 
-// The library of this name under an installation's prefix, in the first of the folders that has it for `own`. The text
-// has $LIB only if a library for the other kind of programs is there, too: programs with a dynamic linker of their own
-// need the plain path.
+// Returns the library `name` from the first of the folders under `prefix` that has it for `own`. The text contains $LIB
+// only if a library for the other kind of programs (32 or 64 bits) exists, too. Otherwise it is the plain path, because
+// programs with a dynamic linker of their own need that.
 std::optional<Preload> find_preload(const std::string& prefix, const std::vector<std::string>& folders,
                                     const std::string& name, const ElfFile& own, const ReadElf& read);
 

@@ -19,7 +19,7 @@
 namespace glark::tool {
 namespace {
 
-// A GIF has a palette of its own. Others get even sides, as most encoders need.
+// A GIF gets a palette of its own. Other formats get an even width and height, because most encoders require this.
 std::string filter_for(const std::string& file) {
   return file.ends_with(".gif") ? "vflip,split[a][b];[a]palettegen[p];[b][p]paletteuse"
                                 : "vflip,pad=ceil(iw/2)*2:ceil(ih/2)*2,format=yuv420p";

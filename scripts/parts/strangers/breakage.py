@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
-"""Four numbers that say where a refined picture is broken, without a person who looks at it.
+"""Five numbers that say where a refined picture is broken, without a person who looks at it.
 
 They compare a refined picture with the plain one. docs/reference/strangers.md defines them in words. All are counts of pixels,
 and 0 for a healthy program.
@@ -24,6 +24,8 @@ SMALLEST = 24      # pixels of the smallest region that counts as vanished or ap
 FEWEST = 4         # strays; fewer may be the rounding of an edge
 STRAY = 64         # levels by which a stray colour differs from the median around it
 WINDOW = 11        # size of the window in which changes along a line are counted
+THIN = 7           # size of the window that a thin part does not fill
+FAINT = 40         # levels by which a thin part differs from what is around it, at least
 CROSSINGS = 4      # changes along each line of that window, beyond which two passes fight
 
 
@@ -189,6 +191,38 @@ def outliers(picture: numpy.ndarray, where: numpy.ndarray) -> numpy.ndarray:
     return mask
 
 
+def extreme(values: numpy.ndarray, choose, size: int) -> numpy.ndarray:
+    """The least or the greatest value in a square window around each pixel."""
+    half = size // 2
+    for axis in (0, 1):
+        borders = [(0, 0)] * values.ndim
+        borders[axis] = (half, half)
+        padded = numpy.pad(values, borders, mode="edge")
+        views = numpy.lib.stride_tricks.sliding_window_view(padded, size, axis=axis)
+        values = choose(views, axis=-1)
+    return values
+
+
+def thin_parts(picture: numpy.ndarray, size: int, least: int) -> numpy.ndarray:
+    """Marks wires, small balls and gaps: what an opening or a closing of the picture removes (the top-hat transforms)."""
+    values = picture.astype(numpy.int16)
+    opened = extreme(extreme(values, numpy.min, size), numpy.max, size)
+    closed = extreme(extreme(values, numpy.max, size), numpy.min, size)
+    return numpy.maximum(values - opened, closed - values).max(axis=-1) > least
+
+
+def lost_thin_parts(plain: numpy.ndarray, refined: numpy.ndarray, allowance: Allowance) -> numpy.ndarray:
+    """Marks thin parts around which the refined picture has less than half as many pixels of thin parts.
+
+    There, parts count that are thicker and fainter, too: some have moved by a part of a pixel.
+    """
+    size = 2 * max(allowance.reach, THIN) + 1
+    parts = thin_parts(plain, THIN, FAINT)
+    before, after = window_sum(parts, size), window_sum(thin_parts(refined, THIN + 4, FAINT // 2), size)
+    lost = parts & (before >= SMALLEST) & (2 * after < before)
+    return lost & (lost.sum() >= SMALLEST)
+
+
 @dataclasses.dataclass
 class Breakage:
     """Masks of the pixels that each number counts."""
@@ -196,9 +230,10 @@ class Breakage:
     appeared: numpy.ndarray
     stripes: numpy.ndarray
     strays: numpy.ndarray
+    thin: numpy.ndarray
 
     def counts(self) -> tuple:
-        return tuple(int(mask.sum()) for mask in (self.vanished, self.appeared, self.stripes, self.strays))
+        return tuple(int(getattr(self, field.name).sum()) for field in dataclasses.fields(self))
 
 
 def breakage(plain: numpy.ndarray, refined: numpy.ndarray, allowance: Allowance) -> Breakage:
@@ -207,7 +242,7 @@ def breakage(plain: numpy.ndarray, refined: numpy.ndarray, allowance: Allowance)
     new = unexplained(refined, plain, allowance)
     is_explained = not lost.any() and not new.any()
     if is_explained and not allowance.light:
-        return Breakage(lost, lost, lost, lost)
+        return Breakage(lost, lost, lost, lost, lost)
     lone_plain, lone_refined = lone_steps(plain, refined, allowance), lone_steps(refined, plain, allowance)
     near = dataclasses.replace(allowance, reach=min(2, allowance.reach))
     stripes = fighting(unexplained(refined, plain, near) | unexplained(plain, refined, near)) & lone_refined
@@ -219,4 +254,4 @@ def breakage(plain: numpy.ndarray, refined: numpy.ndarray, allowance: Allowance)
     vanished, appeared = sharp_area(lost, lone_plain), sharp_area(new, lone_refined)
     if allowance.light:
         appeared |= poking(plain, refined, allowance)
-    return Breakage(vanished, appeared, stripes, strays)
+    return Breakage(vanished, appeared, stripes, strays, lost_thin_parts(plain, refined, allowance))

@@ -10,7 +10,7 @@ WIDTH, HEIGHT = 320, 240  # of one picture
 TITLE = 14
 VISIBLE = 8  # levels of 255
 ROWS_A_SHEET = 6
-COLOURS = {"vanished": (255, 0, 0), "appeared": (0, 255, 0), "stripes": (255, 0, 255), "strays": (255, 255, 0)}
+COLOURS = {"vanished": (255, 0, 0), "appeared": (0, 255, 0), "stripes": (255, 0, 255), "strays": (255, 255, 0), "thin": (0, 255, 255)}
 
 
 def marked(frame: numpy.ndarray, masks) -> Image.Image:
@@ -60,7 +60,7 @@ def write_row(path: pathlib.Path, name: str, pictures: list, compared=None) -> N
     for title, frame, masks in pictures:
         cells.append(cell(f"{name}: {title}" if not cells else title, Image.fromarray(frame.copy())))
         if masks is not None and sum(masks.counts()):
-            cells.append(cell("vanished red, appeared green, stripes purple, strays yellow", marked(frame, masks)))
+            cells.append(cell("vanished red, appeared green, stripes purple, strays yellow, thin cyan", marked(frame, masks)))
     if compared is not None:
         cells += closer(compared, pictures[-1][1])
     row = Image.new("RGB", (WIDTH * len(cells), HEIGHT + TITLE), "white")

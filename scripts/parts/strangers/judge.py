@@ -39,7 +39,7 @@ from remarks import REMARKS
 ROOT = HERE.parent.parent.parent
 PROGRAMS = [*programs.PROGRAMS, *MET_SIXTH]
 LEVEL = 2
-NUMBERS = ("vanished", "appeared", "stripes", "strays")
+NUMBERS = ("vanished", "appeared", "stripes", "strays", "thin")
 MARKS = ("<!-- programs: written by scripts/strangers --write -->", "<!-- end of programs -->")
 
 

@@ -35,7 +35,7 @@ REMARKS = {
     "Qt qmlsurface": SAME, "Qt qmlbars": SAME, "Qt threadedqopenglwidget": SAME, "Qt hellowindow": POLYGONS,
     "Qt textures": "textured boxes, " + SAME,
     "pyglet": "the ball is round", "wx": "the ball is round", "vtk": "the torus and the ball are round",
-    "Perl planets": "the horizon of a near coarse planet rises by more than the reach, rightly",
+    "Perl planets": "correct: the horizon of a near, coarse planet rises by more than the reach",
     "Perl glxgears": SAME, "GLUT shapes": "balls and tori are round; a rounded ball pokes through the flat wall of the tube around it",
     "Mayavi": "balls and tube are round", "Open3D": POLYGONS,
     "Wine": "the ball is round",

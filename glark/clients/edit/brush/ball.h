@@ -8,7 +8,8 @@
 
 namespace glark::edit {
 
-// The weight of a brush at a distance, 0 to 1, relative to its radius: 1 at the centre, and without a crease at 1.
+// Returns the weight of a brush. `distance` is relative to the radius. The weight falls from 1 at the centre to 0 at
+// the radius, where its slope is 0, too.
 constexpr double falloff(double distance) {
   const double rest = 1 - distance * distance;
   return rest > 0 ? rest * rest : 0;

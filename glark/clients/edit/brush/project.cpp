@@ -12,7 +12,7 @@ namespace glark::edit {
 namespace {
 
 constexpr double samples_of_a_cell = 8;
-constexpr double least_cosine = 0.2;  // of the angle between the view and the normal, for the depth within a cell
+constexpr double least_cosine = 0.2;  // between view and normal; limits the depth tolerance on steep surfaces
 
 // A projector. Places in the picture go from 0 to 1, from the left and from the top.
 class Projector {

@@ -17,7 +17,7 @@ Refined take_samples(const Folder& folder, const std::filesystem::path& scan, st
 // Reads what take_samples() kept. Throws Error if the files are not there.
 Refined kept_samples(const Folder& folder, std::size_t line);
 
-// Two files of the folder with the sampling before and after the edit, which the destructor removes.
+// Two files of the folder: the sampling before the edit, and after it. The destructor removes them.
 class EditFiles {
  public:
   EditFiles(const Folder& folder, const Editor& editor);

@@ -16,9 +16,9 @@ namespace glark::maps {
 namespace {
 
 constexpr int finest_sweeps = 2;
-// Cycles that change the values hardly less than the cycles before do not converge, or take too long.
+// Multigrid stops if `cycles_to_judge` cycles have not halved the change: it converges too slowly, or not at all.
 constexpr unsigned cycles_to_judge = 6;
-constexpr float slow = 0.5F;             // of the change so many cycles ago
+constexpr float slow = 0.5F;             // relative to the change `cycles_to_judge` cycles ago
 constexpr float part_of_a_step = 0.02F;  // of what conjugate gradients have still to change
 
 struct Cycles {

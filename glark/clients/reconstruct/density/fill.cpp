@@ -124,7 +124,8 @@ void Filling::append(const Filling& other) {
   colours.insert(colours.end(), other.colours.begin(), other.colours.end());
 }
 
-// A sample has the place of a disc with six neighbours, divided by six.
+// Estimates the number of new samples. A disc around a sample that reaches its sixth neighbour has the area of six
+// samples. So one sample has pi r^2 / 6, which is about r^2 / 2.
 double count_of_filling(std::span<const std::uint32_t> sparse, const Neighbours& neighbours, float spacing,
                         const Workers& workers) {
   constexpr std::size_t most_tried = 4096;

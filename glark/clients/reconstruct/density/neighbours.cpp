@@ -12,10 +12,10 @@ namespace glark::reconstruct {
 namespace {
 
 constexpr std::int32_t cells_away = 3;
-constexpr std::size_t together = 4;  // the least number of samples in the cells of most samples
+constexpr std::size_t together = 4;  // a cell with this many samples is shared
 
-// Returns the finest level on which half of the samples share their cell with others. Outliers have cells of their own,
-// so a mean over cells would depend on them.
+// Returns the finest level on which about half of the samples are in shared cells. The mean number of samples in a cell
+// would depend on outliers, because each outlier has a cell of its own.
 unsigned level_of_most(const std::vector<Entry>& entries) {
   std::array<std::size_t, cell_levels + 1> counts{};  // runs of samples by the finest level on which they share a cell
   for (std::size_t i = together - 1; i < entries.size(); ++i) {

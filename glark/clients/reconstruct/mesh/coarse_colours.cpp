@@ -6,7 +6,7 @@ namespace glark::reconstruct {
 namespace {
 
 constexpr std::size_t grain = 1024;
-constexpr float reach = 0.7F;  // relative to the side of the finest cells
+constexpr float reach = 0.7F;  // the radius around a vertex for its colour, in sides of the finest cells
 
 // Gives a vertex without colour the mean colour of its neighbours. The fourth float is 1 for vertices with a colour.
 // Returns whether any vertex got a colour.

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What all readers of open_points() promise: an error stays, and no read asks for nothing.
+// Two rules for all readers of open_points(): after an error, every read fails until seek(), and a read of 0 points is
+// an error.
 #pragma once
 
 #include <glark/point_stream.h>
@@ -32,7 +33,7 @@ class CheckedReader final : public PointReader {
       throw;
     }
   }
-  // Chooses another place, so the error of the last one is over.
+  // Moves to another point, and clears the error.
   void seek(std::uint64_t point) override {
     reader_->seek(point);
     failure_.reset();

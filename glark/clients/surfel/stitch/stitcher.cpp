@@ -245,8 +245,8 @@ void Stitcher::collect_agreed(const common::Workers& workers) {
   sort_by_region(agreed_, &Region::agreed);
 }
 
-// The leaves of all corners have an agreed triangle. For each region, only the leaf of the triangle's first corner in
-// the region adds the triangle.
+// An agreed triangle is a candidate of every leaf that owns one of its corners. A region must get the triangle only
+// once: from the leaf that owns its first corner in this region.
 void Stitcher::collect_agreed_of(std::uint32_t leaf, std::vector<AgreedTriangle>& found) const {
   for (const Candidate& candidate : level_.candidates_of(leaf)) {
     if (candidate.state != CandidateState::agreed) continue;

@@ -14,9 +14,9 @@
 
 namespace glark::surfel {
 
-// moved: points of the level at their new positions, in ascending order of their indices, without duplicates. Indices
-// beyond the level's points are new points, without gaps. The ranges of `indices` that changed are appended to
-// `changed`.
+// Builds the leaves around the moved points again. moved: points at their new positions, in ascending order of their
+// indices, without duplicates. New points have the indices that follow those of the level, without gaps. Appends the
+// ranges of `indices` that changed to `changed`.
 void update_level(Level& level, std::span<const Surfel> moved, const LevelOptions& options,
                   const common::Workers& workers, std::vector<std::uint32_t>& indices, std::vector<Range>& changed);
 

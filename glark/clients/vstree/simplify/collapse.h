@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Simplification by collapses of edges. The vertices of the result are vertices of the input.
+// Simplification by edge collapses. The vertices of the result are vertices of the input.
 #pragma once
 
 #include "glark/clients/vstree/simplify/clusters.h"

@@ -151,7 +151,7 @@ void append_nested(const Chain& edge, const Chain& row, int segments_at_row, std
     walk_row(edge[from], apex(k));
     indices.insert(indices.end(), {edge[from], edge[from + 1], row[at]});
   }
-  walk_row(edge.back(), row.size() - 1);  // an edge that is shallower than the row
+  walk_row(edge.back(), row.size() - 1);  // the rest of the row, if it has more segments than the edge
 }
 
 void append_nested_skirts(BorderBlock& block, int max_level) {

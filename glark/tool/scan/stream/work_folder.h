@@ -7,7 +7,7 @@
 namespace glark::tool {
 
 inline constexpr const char* resume_help =
-    "Continue a run that was killed, or that found the disk full, from its folder OUTPUT.partial";
+    "Continue a run that was killed, or that stopped because the disk was full, from its folder OUTPUT.partial";
 
 // The folder for the state of the work. Pipes and devices have none.
 inline std::filesystem::path work_folder(const std::filesystem::path& output) {

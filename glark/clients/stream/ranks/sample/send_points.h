@@ -13,7 +13,8 @@ namespace glark::stream {
 // A point of a coherent scan. It begins with the index of its cell.
 struct StreamedPoint {
   LocalPoint point;
-  std::uint32_t batch = 0;  // of the single process, which checks its memory after each
+  // The batch in which a single process would read the point. It would check its memory after each batch.
+  std::uint32_t batch = 0;
 };
 
 // A point of a shuffled scan.

@@ -60,7 +60,7 @@ class CellStream {
  private:
   static constexpr const char* state_name = "stream";
 
-  // Returns the number of points that a run before has done.
+  // Restores the state of an earlier run. Returns the number of points that it has finished; 0 without a state.
   std::uint64_t begin() {
     std::uint64_t done = 0;
     const bool is_begun = input_.checkpoints.folder().load(state_name, [&](StateReader& state) {

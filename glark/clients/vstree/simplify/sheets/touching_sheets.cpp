@@ -181,7 +181,7 @@ class Parting {
 
 }  // namespace
 
-// The ends of such edges are irregular vertices.
+// Skips edges between regular vertices: both ends of an edge of more than two triangles are irregular.
 std::vector<Edge> crowded_edges(const std::vector<std::uint32_t>& triangles, std::size_t count) {
   const std::vector<std::uint8_t> irregular = common::irregular_vertices(triangles, count);
   std::vector<Edge> edges, result;
