@@ -201,6 +201,19 @@ class Commands(CommandCase):
         self.assertLess(report["indices"], kept["indices"])
         self.assertEqual(0, report["outliers"])
 
+    def test_strips_know_what_a_mesh_tells(self):
+        self.needs("strip")
+        corners = [(x, y, z) for x in (0, 1) for y in (0, 1) for z in (0, 1)]
+        sides = [(1, 3, 4, 2), (5, 6, 8, 7), (1, 2, 6, 5), (3, 7, 8, 4), (1, 5, 7, 3), (2, 4, 8, 6)]
+        text = "".join("v {} {} {}\n".format(*c) for c in corners) + "".join("f {} {} {} {}\n".format(*s) for s in sides)
+        (self.path / "box.obj").write_text(text)
+        report = self.report("strip", "box.obj", "-o", "box.ply")
+        self.assertEqual(report["points_without_triangles"], self.report("info", "box.ply")["topology"]["points_without_triangles"])
+        done = self.glark("strip", "box.obj", "-o", "box.ply", status=0 if report["output"]["triangles"] else 1)
+        self.assertIn("those of its triangles are used", done.stderr)
+        if report["points_without_triangles"]:
+            self.assertIn("have no triangle", done.stderr)
+
     def test_strips_do_not_join_outliers(self):
         self.needs("strip")
         self.needs("reconstruct")

@@ -176,6 +176,8 @@ TEST_F(GltfScene, TheFirstVersionIsSaid) {
       problem_with(made("a.glb", std::string("glTF\1\0\0\0\0\1\0\0", 12) + std::string(244, ' ')));
   EXPECT_NE(problem.find("is glTF 1.0"), std::string::npos) << problem;
   EXPECT_EQ(problem.find("$$$"), std::string::npos) << problem;
+  const std::string text = problem_with(made("c.gltf", R"({"asset":{"version":"1.0"},"buffers":{"b":{}}})"));
+  EXPECT_NE(text.find("is glTF 1.0"), std::string::npos) << text;
   const std::string empty = problem_with(made("b.glb", "x"));
   EXPECT_EQ(empty.find("$$$"), std::string::npos) << empty;
 }

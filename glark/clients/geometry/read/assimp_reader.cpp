@@ -283,7 +283,7 @@ Reading read_by_assimp(Input& input, MeshFormat format, const ReadOptions& optio
     vertices = obj_vertices({bytes.data(), bytes.size()}, options.all_points);
     warnings.push_back(warning_of_colours(vertices));
   }
-  if (format == MeshFormat::gltf && is_first_glb(bytes))
+  if (format == MeshFormat::gltf && is_first_gltf(bytes))
     throw Error(name + ": is glTF 1.0, which glark does not read; export it as glTF 2.0");
   const auto [kind, hint] = importing(format, bytes);
   const bool has_names = names_files(name, format, bytes, options);

@@ -8,6 +8,8 @@
 #include <cstring>
 #include <filesystem>
 #include <limits>
+#include <nlohmann/json.hpp>
+#include <string>
 
 #include "glark/clients/geometry/geometry.h"
 #include "glark/clients/geometry/read/element_at.h"
@@ -126,9 +128,19 @@ GltfFile read_gltf(const std::string& name, std::span<const char> bytes) {
 
 void check_gltf(const std::string& name, const tinygltf::Model& model) { Check(name, model).meshes(); }
 
-bool is_first_glb(std::span<const char> bytes) {
+bool is_first_gltf(std::span<const char> bytes) {
+  if (!is_glb(bytes)) {
+    using Json = nlohmann::json;
+    const auto only_asset = [](int depth, Json::parse_event_t event, const Json& value) {
+      return depth != 1 || event != Json::parse_event_t::key || value == "asset";  // buffers can be large
+    };
+    const auto text = Json::parse(bytes.begin(), bytes.end(), only_asset, false);
+    const Json::json_pointer version("/asset/version");
+    return text.is_object() && text.contains(version) && text[version].is_string() &&
+           text[version].get_ref<const std::string&>().starts_with("1.");
+  }
   std::uint32_t version = 0;
-  if (!is_glb(bytes) || bytes.size() < 8) return false;
+  if (bytes.size() < 8) return false;
   std::memcpy(&version, bytes.data() + 4, sizeof(version));  // glTF is little-endian
   return version == 1;
 }

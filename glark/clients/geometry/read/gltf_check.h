@@ -31,7 +31,7 @@ inline bool is_glb(std::span<const char> bytes) {
   return std::string_view(bytes.data(), bytes.size()).starts_with("glTF");
 }
 
-// Returns whether the bytes are a GLB file of glTF 1.0.
-bool is_first_glb(std::span<const char> bytes);
+// Returns whether the bytes are a file of glTF 1.0, as text or GLB.
+bool is_first_gltf(std::span<const char> bytes);
 
 }  // namespace glark::geometry

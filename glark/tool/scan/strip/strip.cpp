@@ -16,6 +16,8 @@
 #include <string>
 #include <vector>
 
+#include "glark/clients/geometry/measure/topology.h"
+#include "glark/clients/geometry/measure/triangle_normals.h"
 #include "glark/tool/scan/commands.h"
 #include "glark/tool/scan/files.h"
 #include "glark/tool/scan/parts/memory_option.h"
@@ -145,12 +147,55 @@ surfel::Counts add_strips(const Strip& command, geometry::Geometry& geometry, st
   return strips.counts(level);
 }
 
+// Without normals, strips do not know the sides of the surface. The triangles of a mesh tell them.
+void add_normals(geometry::Geometry& geometry, const std::string& file) {
+  if (!geometry.normals.empty()) return;
+  if (!geometry.triangles.empty()) {
+    geometry.normals = geometry::triangle_normals(geometry);
+    bool has_all = true;
+    for (std::size_t i = 0; i < geometry.normals.size(); i += 3)
+      has_all = has_all && (geometry.normals[i] != 0 || geometry.normals[i + 1] != 0 || geometry.normals[i + 2] != 0);
+    if (has_all) return warn(file + ": it has no normals; those of its triangles are used");
+    geometry.normals.clear();
+  }
+  warn(file + ": it has no normals, so strips have no common orientation");
+}
+
+std::size_t points_without_triangles(const geometry::Geometry& geometry) {
+  std::vector<bool> has_triangle(geometry.point_count());
+  for (const std::uint32_t corner : geometry.triangles) has_triangle[corner] = true;
+  return static_cast<std::size_t>(std::count(has_triangle.begin(), has_triangle.end(), false));
+}
+
+void warn_of_points(const std::string& file, const geometry::Geometry& geometry, const surfel::Counts& counts,
+                    std::size_t outliers) {
+  constexpr double many = 0.1;  // of all points
+  const std::size_t points = geometry.point_count();
+  const std::size_t without = points_without_triangles(geometry);
+  if (outliers > 0)
+    warn(fmt::format("{}: {} of {} points lie on no surface, as their neighbours show; they stay points", file,
+                     outliers, points));
+  if (counts.loose_points > 0)
+    warn(fmt::format("{}: {} of {} points lie in parts that are too noisy for a surface; they stay points", file,
+                     counts.loose_points, points));
+  const auto is_many = [&](std::size_t known) {
+    return static_cast<double>(without) > static_cast<double>(known) + many * static_cast<double>(points);
+  };
+  const std::size_t known = outliers + counts.loose_points;
+  // Of several points at one place, one has triangles.
+  if (is_many(known) && is_many(known + points - geometry::topology_of(geometry).places))
+    warn(
+        fmt::format("{}: {} of {} points have no triangle; if they are the corners of large triangles, take points "
+                    "between them by glark reconstruct",
+                    file, without, points));
+}
+
 void strip(const Strip& command) {
   check_output(command.files);
   bool is_whole = true;
   geometry::Geometry geometry = read_points(command, is_whole);
+  add_normals(geometry, command.files.input);
   geometry.triangles = {};
-  if (geometry.normals.empty()) warn(command.files.input + ": it has no normals, so strips have no common orientation");
   double seconds = 0;
   std::size_t outliers = 0;
   const surfel::Counts counts = add_strips(command, geometry, outliers, seconds);
@@ -159,18 +204,14 @@ void strip(const Strip& command) {
         command.files.input +
         ": its points have no neighbours on a surface, or are too noisy for one, so there are no strips and nothing is "
         "written; allow longer edges by --reach, or show the points by glark view --mode splat");
-  if (outliers > 0)
-    warn(fmt::format("{}: {} of {} points lie on no surface, as their neighbours show; they stay points",
-                     command.files.input, outliers, geometry.point_count()));
-  if (counts.loose_points > 0)
-    warn(fmt::format("{}: {} of {} points lie in parts that are too noisy for a surface; they stay points",
-                     command.files.input, counts.loose_points, geometry.point_count()));
+  warn_of_points(command.files.input, geometry, counts, outliers);
   store(geometry, command.files);
   Report report;
   report["output"] = contents_of(geometry);
   report["strips"] = counts.strips;
   report["loose_points"] = counts.loose_points;
   report["outliers"] = outliers;
+  report["points_without_triangles"] = points_without_triangles(geometry);
   report["indices"] = counts.indices;
   if (!geometry.triangles.empty())
     report["indices_per_triangle"] =
