@@ -3,7 +3,7 @@
 """The work of scripts/strangers: records programs in use, replays them plain, off and refined, and counts what looks broken.
 
 A program that is installed is recorded once, by apitrace and without glark. Four frames of the second half are compared.
-A program that was judged is skipped until the library or the rules of the four numbers change, or --only names it.
+A program that was judged is skipped until the library or the rules of the numbers change, or --only names it.
 """
 import argparse
 import concurrent.futures
@@ -139,7 +139,7 @@ def off_pixels(plain: list, off: list) -> int:
 
 
 def judge(plain: list, refined: list, allowance) -> tuple:
-    """The four numbers, each of its worst frame, the share of changed pixels, and the masks of the worst frame."""
+    """The numbers, each of its worst frame, the share of changed pixels, and the masks of the worst frame."""
     found = [breakage.breakage(first, second, allowance(*first.shape[1::-1])) for first, second in zip(plain, refined)]
     counts = [one.counts() for one in found]
     worst = max(range(len(found)), key=lambda i: (sum(counts[i]), i))
@@ -149,7 +149,7 @@ def judge(plain: list, refined: list, allowance) -> tuple:
 
 @functools.cache
 def build_of(library: pathlib.Path) -> str:
-    """Names what a result depends on: the library, and the rules of the four numbers."""
+    """Names what a result depends on: the library, and the rules of the numbers."""
     parts = (library, pathlib.Path(breakage.__file__))
     return hashlib.sha256(b"".join(part.read_bytes() for part in parts)).hexdigest()[:12]
 
@@ -208,7 +208,7 @@ def examine_panel(program: Stranger, folder: pathlib.Path, arguments: argparse.N
 
 
 def judge_panel(arguments: argparse.Namespace) -> int:
-    """The work of --panel. Results are apart from those of the four numbers."""
+    """The work of --panel. Results are apart from those of the numbers."""
     chosen = [program for program in PROGRAMS if installed(program) and (not arguments.only or program.name in arguments.only)]
     results = []
     for program in chosen:
