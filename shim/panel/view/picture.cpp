@@ -8,7 +8,7 @@ namespace glark::shim {
 namespace {
 
 // Without a version: GLSL 1.10 and GLSL ES 1.00.
-constexpr char vertex_source[] = R"(
+constexpr char picture_vertex_source[] = R"(
 attribute vec2 position;
 uniform vec2 scale;
 varying vec2 at;
@@ -17,7 +17,7 @@ void main() {
   gl_Position = vec4(position * 2.0 - 1.0, 0.0, 1.0);
 }
 )";
-constexpr char fragment_source[] = R"(
+constexpr char picture_fragment_source[] = R"(
 #ifdef GL_ES
 #ifdef GL_FRAGMENT_PRECISION_HIGH
 precision highp float;
@@ -57,7 +57,7 @@ GLuint build_panel_program(const gl::Dispatch& gl, const char* vertex_source, co
 }
 
 bool PanelPicture::start() {
-  program_ = build_panel_program(gl_, vertex_source, fragment_source);
+  program_ = build_panel_program(gl_, picture_vertex_source, picture_fragment_source);
   if (program_ == 0) return false;
   scale_ = gl_.GetUniformLocation(program_, "scale");
   constexpr GLfloat corners[] = {0, 0, 1, 0, 0, 1, 1, 1};
