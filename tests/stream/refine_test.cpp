@@ -184,6 +184,33 @@ TEST_F(Refining, DamagedIndicesAreExplained) {
   }
 }
 
+// Each byte counts, also one whose number would be possible.
+TEST_F(Refining, AnyChangeOfAnIndexIsFound) {
+  SampledCell cell;
+  cell.side = 0.5;
+  cell.points = 60;
+  cell.last = 70;
+  write_cells(path("a.cells"), {1200, 100, {cell}, 7});
+  const std::string text = bytes_of(path("a.cells"));
+  EXPECT_EQ(read_cells(path("a.cells")).samples, 7U);
+  for (std::size_t i = 0; i + 1 < text.size(); ++i) {
+    std::string damaged = text;
+    damaged[i] = damaged[i] == '1' ? '2' : '1';
+    const auto file = made("b.cells", damaged);
+    const std::string problem = problem_of([&] { read_cells(file); });
+    EXPECT_NE(problem.find("b.cells"), std::string::npos) << damaged;
+  }
+  made("b.cells", text.substr(0, text.find("checksum")));
+  EXPECT_NE(problem_of([&] { read_cells(path("b.cells")); }).find("the file ends here"), std::string::npos);
+}
+
+// An index without a checksum, of an earlier version.
+TEST_F(Refining, TheFirstVersionOfAnIndexIsRead) {
+  made("a.cells", "glark cells 1\n1200 100 1 7\n0 0 0 0.5 60 0 70 0.001\n");
+  EXPECT_EQ(read_cells(path("a.cells")).cells.size(), 1U);
+  EXPECT_EQ(read_cells(path("a.cells")).samples, 7U);
+}
+
 TEST_F(Refining, AnOutputIsNoneOfTheOtherFiles) {
   write_edited();
   const auto problem_with = [&](const char* output, const char* edited_output) {

@@ -1,13 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The index of a sampling is text: a line for the scan, and a line for each cell.
+// The index of a sampling is text: a line for the scan, a line for each cell, and a checksum of all these lines. Version 1
+// had no checksum, and is still read.
 #include <fmt/format.h>
 
 #include <charconv>
 #include <cmath>
 #include <fstream>
 
+#include "glark/clients/common/fnv.h"
 #include "glark/clients/geometry/geometry.h"
 #include "glark/clients/geometry/parse/input.h"
 #include "glark/clients/geometry/write/output_file.h"
@@ -16,7 +18,8 @@
 namespace glark::stream {
 namespace {
 
-constexpr std::string_view first_words = "glark cells 1";
+constexpr std::string_view first_words = "glark cells ", version_1 = "glark cells 1", version_2 = "glark cells 2";
+constexpr std::string_view checksum_word = "checksum ";
 constexpr std::size_t most_cells = std::size_t{1} << 24;
 
 // The numbers of a line, one after the other.
@@ -100,46 +103,78 @@ class CellTotals {
   double side_ = 0;  // of the last cell
 };
 
+std::string checksum_of(std::string_view text) {
+  return fmt::format("{}{:016x}", checksum_word, common::add_to_fnv(common::fnv_of_nothing, text));
+}
+
+// The lines of a text, and where each one is, for messages.
+class Lines {
+ public:
+  Lines(std::string_view text, const std::string& file) : text_(text), rest_(text), file_(file) {}
+
+  std::string_view next() {
+    place_ = fmt::format("{}: line {}", file_, ++number_);
+    const std::size_t end = rest_.find('\n');
+    if (end == std::string_view::npos) Words(rest_, place_).fail("the file ends here");
+    const std::string_view line = rest_.substr(0, end);
+    rest_.remove_prefix(end + 1);
+    return line;
+  }
+  const std::string& place() const { return place_; }
+  std::string_view rest() const { return rest_; }
+  std::string_view read() const { return text_.substr(0, text_.size() - rest_.size()); }
+
+ private:
+  std::string_view text_, rest_;
+  const std::string& file_;
+  std::size_t number_ = 0;
+  std::string place_;
+};
+
+void require_checksum(Lines& lines) {
+  const std::string wanted = checksum_of(lines.read());
+  const std::string_view line = lines.next();
+  if (line != wanted)
+    Words(line, lines.place())
+        .fail(fmt::format("the line is \"{}\", the lines above give \"{}\"", line.substr(0, 40), wanted));
+}
+
 }  // namespace
 
 std::string index_text(const CellIndex& index) {
   std::string text =
-      fmt::format("{}\n{} {} {} {}\n", first_words, index.bytes, index.points, index.cells.size(), index.samples);
+      fmt::format("{}\n{} {} {} {}\n", version_2, index.bytes, index.points, index.cells.size(), index.samples);
   for (const SampledCell& cell : index.cells)
     text += fmt::format("{} {} {} {} {} {} {} {}\n", cell.corner[0], cell.corner[1], cell.corner[2], cell.side,
                         cell.points, cell.first, cell.last, cell.error);
+  text += checksum_of(text) + "\n";
   return text;
 }
 
 CellIndex parse_index(std::string_view text, const std::string& file) {
   CellIndex index;
-  std::size_t number = 0;
-  std::string place;
-  const auto next_line = [&] {
-    place = fmt::format("{}: line {}", file, ++number);
-    const std::size_t end = text.find('\n');
-    if (end == std::string_view::npos) Words(text, place).fail("the file ends here");
-    const std::string_view line = text.substr(0, end);
-    text.remove_prefix(end + 1);
-    return line;
-  };
-  if (next_line() != first_words)
+  Lines lines(text, file);
+  const std::string_view version = lines.next();
+  if (version != version_1 && version != version_2)
     throw Error(Element::file, 0,
-                file + ": does not begin with \"glark cells 1\"; name the .cells file that glark sample wrote");
-  Words words(next_line(), place);
+                file + ": does not begin with \"glark cells 2\"; name the .cells file that glark sample wrote");
+  const std::string_view scan = lines.next();
+  Words words(scan, lines.place());
   index.bytes = words.next<std::uint64_t>("size of the scan");
   index.points = words.next<std::uint64_t>("number of points");
   const auto cells = words.next<std::uint64_t>("number of cells");
-  if (!words.at_end()) index.samples = words.next<std::uint64_t>("number of samples");  // earlier versions have none
+  if (!words.at_end()) index.samples = words.next<std::uint64_t>("number of samples");  // early versions have none
   words.end();
   if (cells > most_cells) words.fail(fmt::format("{} cells are too many", cells));
   CellTotals totals(index.points);
   for (std::uint64_t i = 0; i < cells; ++i) {
-    const Words line(next_line(), place);
+    const std::string_view text_of_cell = lines.next();
+    const Words line(text_of_cell, lines.place());
     index.cells.push_back(parse_cell(line, index));
     totals.add(index.cells.back(), line);
   }
-  if (!text.empty()) Words(text, place).fail("lines follow the last cell");
+  if (version == version_2) require_checksum(lines);
+  if (!lines.rest().empty()) Words(lines.rest(), lines.place()).fail("lines follow the last one");
   return index;
 }
 
