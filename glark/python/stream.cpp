@@ -141,7 +141,9 @@ void bind_reports(py::module_& module) {
       .def_readonly("points", &TransferReport::points, "the number of points that were written")
       .def_readonly("is_deformed", &TransferReport::is_deformed, "whether a sample has moved")
       .def_readonly("channels", &TransferReport::channels, "the names of the channels that were written")
-      .def_readonly("points_away", &TransferReport::points_away, "the number of points without samples around them");
+      .def_readonly("points_away", &TransferReport::points_away, "the number of points without samples around them")
+      .def_readonly("cells_on_disk", &TransferReport::cells_on_disk,
+                    "the cells of a sampling that did not fit into memory");
   using stream::RefineReport;
   py::class_<RefineReport>(module, "RefineReport", "What refine() did.")
       .def_readonly("points_read", &RefineReport::points_read, "the number of points of the scan that were read")
@@ -184,17 +186,19 @@ void bind_transfer(py::module_& module) {
       "transfer",
       [](const fs::path& large, const fs::path& small, const fs::path& edited, const fs::path& output,
          const Whole<unsigned>& neighbours, bool singular, const Whole<unsigned>& threads, const fs::path& work,
-         bool resume) {
+         bool resume, const Whole<std::size_t>& memory) {
         const stream::TransferOptions options{
-            neighbours.checked("neighbours"), singular, threads.checked("threads"), work, resume, &stop_for_signals};
+            neighbours.checked("neighbours"), singular, threads.checked("threads"), work, resume, &stop_for_signals,
+            memory.checked("memory")};
         return with_files([&] { return stream::transfer(large, small, edited, output, options); });
       },
       py::arg("large"), py::arg("small"), py::arg("edited"), py::arg("output"), py::kw_only(),
       py::arg("neighbours") = stream::TransferOptions().neighbours, py::arg("singular") = false, py::arg("threads") = 0,
-      py::arg("work") = "", py::arg("resume") = false,
+      py::arg("work") = "", py::arg("resume") = false, py::arg("memory") = stream::TransferOptions().memory,
       "Transfer the edit of a sampling to its scan: `small` became `edited`. `output` has the format of `large`, and "
       "the\nending of its name.\n\n"
-      "neighbours: the samples that a point follows, 3 to 64. singular: keep sharp borders of colours.");
+      "neighbours: the samples that a point follows, 3 to 64. singular: keep sharp borders of colours. \n"
+      "memory: bytes for all; a sampling that does not fit lies in cells on the disk.");
 }
 
 // Exactly one of the three describes the region.

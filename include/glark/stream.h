@@ -78,6 +78,9 @@ struct TransferOptions {
   std::filesystem::path work = {};  // as SampleOptions; it must be on the file system of the output
   bool resume = false;
   Progress progress = {};
+  // Bytes for all, 40 MiB or more. A sampling that does not fit lies in a temporary file in the folder of the output; the
+  // cells of it that are used are in memory. The result does not depend on it.
+  std::size_t memory = std::size_t{256} << 20;
 };
 
 struct TransferReport {
@@ -87,6 +90,7 @@ struct TransferReport {
   // Points whose nearest sample is about as far from them as the others: many, if `from` is a sampling of another scan.
   // A resumed transfer does not count points that were done before.
   std::uint64_t points_away = 0;
+  std::uint64_t cells_on_disk = 0;  // of a sampling that did not fit into the memory; otherwise 0
 };
 
 // Transfers the edit of a sampling to the scan: `from` became `to`. Each point moves as the samples around it did, and
@@ -142,10 +146,11 @@ struct Region {
 };
 
 struct RefineOptions {
-  std::size_t target = 0;                       // the most new samples. 0: `error` is used instead
-  double error = 1e-4;                          // as SampleOptions, relative to the diagonal of the region's points
-  std::size_t memory = std::size_t{256} << 20;  // bytes, for the points of the region and their sampling
-  unsigned neighbours = 12;                     // as TransferOptions
+  std::size_t target = 0;  // the most new samples. 0: `error` is used instead
+  double error = 1e-4;     // as SampleOptions, relative to the diagonal of the region's points
+  // Bytes: half for the sampling, as TransferOptions, and half for the points of the region and their sampling.
+  std::size_t memory = std::size_t{256} << 20;
+  unsigned neighbours = 12;  // as TransferOptions
   unsigned threads = 0;
 };
 

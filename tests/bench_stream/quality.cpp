@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "glark/clients/stream/transfer/sample_index.h"
+#include "glark/clients/stream/samples/sample_index.h"
 #include "tests/bench_stream/edits.h"
 
 namespace glark::bench {
@@ -22,8 +22,7 @@ double distance_of(const std::filesystem::path& scan, const std::filesystem::pat
       normals.push_back(common::vector_at(points.normals, i));
     }
   const stream::SampleIndex index(positions);
-  std::vector<std::uint32_t> near;
-  std::vector<float> squares;
+  std::vector<stream::NearSample> near;
   double sum = 0;
   std::uint64_t count = 0;
   const auto reader = stream::open_points(scan, {.normals = false, .channels = false});
@@ -33,8 +32,8 @@ double distance_of(const std::filesystem::path& scan, const std::filesystem::pat
       const common::Vector3f p{static_cast<float>(points.positions[3 * i]),
                                static_cast<float>(points.positions[3 * i + 1]),
                                static_cast<float>(points.positions[3 * i + 2])};
-      index.nearest(p, 1, near, squares);
-      const auto distance = static_cast<double>(common::dot(p - positions[near[0]], normals[near[0]]));
+      index.nearest(p, 1, near);
+      const auto distance = static_cast<double>(common::dot(p - positions[near[0].index], normals[near[0].index]));
       sum += distance * distance;
       ++count;
     }

@@ -285,6 +285,30 @@ class Commands(unittest.TestCase):
             done = self.run_it("transfer", scan, "--from", small, "--to", small, "-o", self.path / "out.raw")
             self.assertEqual("is it a sampling of this scan?" in done.stderr, is_told, done.stderr)
 
+    def test_a_sampling_larger_than_the_memory_lies_on_the_disk(self):
+        """The limit is kept, the bytes are the same, and nothing is left of the temporary files."""
+        large, small = write_scan(self.path / "large.raw", 300000), self.path / "small.ply"
+        points = numpy.fromfile(write_scan(self.path / "small.raw", 400000), "<f4").reshape(-1, 3)
+        rows = numpy.hstack([points, points]).astype("<f4")  # the normals of a sphere, nearly
+        header = f"ply\nformat binary_little_endian 1.0\nelement vertex {len(rows)}\n"
+        header += "".join(f"property float {name}\n" for name in ("x", "y", "z", "nx", "ny", "nz")) + "end_header\n"
+        small.write_bytes(header.encode() + rows.tobytes())
+        rows[:, 0] += rows[:, 2] * rows[:, 2]
+        edited = self.path / "edited.ply"
+        edited.write_bytes(header.encode() + rows.tobytes())
+        options = ["transfer", large, "--from", small, "--to", edited, "--json", "-o"]
+        whole = json.loads(self.run_it(*options, self.path / "whole.raw", "--memory", "1GB").stdout)
+        before = sorted(self.path.iterdir())
+        done = self.run_it(*options, self.path / "parts.raw", "--memory", "48MiB", "--threads", 2)
+        self.assertEqual(sorted(self.path.iterdir()), sorted([*before, self.path / "parts.raw"]))
+        report = json.loads(done.stdout)
+        self.assertEqual(whole["cells_on_disk"], 0)
+        self.assertGreater(report["cells_on_disk"], 50)
+        self.assertIn("does not fit into the memory", done.stderr)
+        self.assertLess(report["peak_memory_bytes"], 48 * MIB)
+        self.assertGreater(whole["peak_memory_bytes"], 48 * MIB)
+        self.assertEqual((self.path / "whole.raw").read_bytes(), (self.path / "parts.raw").read_bytes())
+
     def test_a_full_disk_is_said_and_the_run_continues(self):
         large = write_scan(self.path / "large.raw", 1400000)
         small = self.path / "small.ply"

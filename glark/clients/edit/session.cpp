@@ -166,6 +166,7 @@ SaveReport Session::save(const fs::path& output, const Progress& progress) const
   stream::TransferOptions how;
   how.threads = state_->options.threads;
   how.progress = progress;
+  how.memory = state_->options.memory;
   const stream::TransferReport report = stream::transfer(state_->scan, edit.before(), edit.after(), output, how);
   return {report.points, report.is_deformed, !report.channels.empty()};
 }

@@ -1,53 +1,48 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/clients/stream/transfer/sampling.h"
+#include "glark/clients/stream/edit/sampling.h"
 
-#include <fmt/format.h>
-
-#include <Eigen/Dense>
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
+#include "glark/clients/stream/edit/same_order.h"
+#include "glark/clients/stream/edit/sample_pairs.h"
+#include "glark/clients/stream/edit/sampling_in_cells.h"
+#include "glark/clients/stream/edit/turned_normals.h"
 #include "glark/clients/stream/files/with_vstree.h"
-#include "glark/clients/stream/format/layout.h"
 
 namespace glark::stream {
 namespace {
 
 using common::Vector3f;
 
-constexpr std::size_t neighbours_of_a_frame = 10;
-constexpr std::size_t tried_samples = 2000, least_tried = 100;  // whether neighbours are strangers after an edit
-constexpr float near_samples = 0.03F, far_samples = 0.1F;       // relative to the diagonal of all
+constexpr std::size_t tree_bytes_a_sample = 16, estimating_bytes_a_sample = 900;
+constexpr std::size_t least_text = 8;  // bytes of a point
 
 struct FileContents {
   std::vector<double> positions, channels;
   std::vector<float> normals;
   Schema schema;
-};
 
-void require_within_floats(const std::vector<double>& positions, const std::string& file) {
-  const auto beyond =
-      std::find_if(positions.begin(), positions.end(), [](double at) { return !(std::abs(at) <= largest_coordinate); });
-  if (beyond == positions.end()) return;
-  const auto point = static_cast<std::size_t>(beyond - positions.begin()) / 3;
-  throw Error(Element::point, point,
-              fmt::format("{}: point {} has the coordinate {}; finite ones up to 1e18 are possible: move it, or undo "
-                          "this edit",
-                          file, point, *beyond));
-}
+  void reserve(std::size_t count) {
+    positions.reserve(3 * count);
+    if (schema.normals) normals.reserve(3 * count);
+    channels.reserve(schema.channels.size() * count);
+  }
+};
 
 // Throws Error for a file that cannot be read, or for coordinates with which floats cannot compute.
 FileContents read_file(const std::filesystem::path& file) {
   const std::unique_ptr<PointReader> reader = open_points(file);
   FileContents all;
   all.schema = reader->schema();
+  if (reader->count() && reader->can_seek()) all.reserve(static_cast<std::size_t>(*reader->count()));
   for (Points points = reader->read(); points.size() > 0; points = reader->read()) {
     all.positions.insert(all.positions.end(), points.positions.begin(), points.positions.end());
     all.normals.insert(all.normals.end(), points.normals.begin(), points.normals.end());
     all.channels.insert(all.channels.end(), points.channels.begin(), points.channels.end());
   }
-  require_within_floats(all.positions, file.string());
+  require_within_floats(all.positions, 0, file.string());
   return all;
 }
 
@@ -58,10 +53,7 @@ std::vector<std::size_t> places_of(const FileContents& to, const std::string& fi
   for (std::size_t i = 0; i < count; ++i) {
     const double sample = index == none ? static_cast<double>(i) : to.channels[width * i + index];
     if (!(sample >= 0 && sample < static_cast<double>(count)) || places[static_cast<std::size_t>(sample)] != none)
-      throw Error(Element::point, i,
-                  fmt::format("{}: vertex {} has the index {}, which is repeated or not below {}; export it with the "
-                              "indices of the sampling",
-                              file, i, sample, count));
+      fail_for_index(file, i, sample, count);
     places[static_cast<std::size_t>(sample)] = i;
   }
   return places;
@@ -82,71 +74,6 @@ std::vector<std::uint8_t> edited_samples(const FileContents& from, const FileCon
   return is_edited ? edited : std::vector<std::uint8_t>();
 }
 
-// Turns each normal by the linear map that fits the neighbours of its sample best. Normals turn by its cofactors.
-Vector3f turned_normal(const Samples& samples, std::size_t i, const std::vector<std::uint32_t>& neighbours) {
-  const Vector3f n = samples.normals[i];
-  const Eigen::Vector3d normal(n.x, n.y, n.z);
-  if (!(normal.norm() > 0)) return n;
-  Eigen::Matrix3d before = Eigen::Matrix3d::Zero(), both = Eigen::Matrix3d::Zero();
-  for (const std::uint32_t k : neighbours) {
-    const Vector3f a = samples.before[k] - samples.before[i], b = samples.after[k] - samples.after[i];
-    const Eigen::Vector3d from(a.x, a.y, a.z), to(b.x, b.y, b.z);
-    before += from * from.transpose();
-    both += to * from.transpose();
-  }
-  // The neighbours say little about the map across the surface. The cross product does not need it.
-  const double extent = before.trace();
-  const Eigen::Matrix3d map = both * (before + 1e-6 * (extent + 1e-30) * Eigen::Matrix3d::Identity()).inverse();
-  const Eigen::Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
-  Eigen::Vector3d turned = (map * u).cross(map * v);
-  if (!(turned.norm() > 0)) return n;
-  turned.normalize();
-  return {static_cast<float>(turned[0]), static_cast<float>(turned[1]), static_cast<float>(turned[2])};
-}
-
-float diagonal_of(const std::vector<Vector3f>& positions) {
-  Vector3f low = positions[0], high = low;
-  for (const Vector3f& p : positions) {
-    low = common::least(low, p);
-    high = common::greatest(high, p);
-  }
-  return common::length(high - low);
-}
-
-// Throws Error if most samples that were neighbours are strangers: a program has written them in another order. An edit
-// tears the sampling here and there, not everywhere.
-void require_same_order(const Samples& samples, const SampleIndex& index, const std::string& file) {
-  const float near = near_samples * diagonal_of(samples.before), far = far_samples * diagonal_of(samples.after);
-  const std::size_t step = samples.size() / tried_samples + 1;
-  std::size_t neighbours = 0, strangers = 0;
-  std::vector<std::uint32_t> two;  // a sample and the one nearest to it
-  std::vector<float> squares;
-  for (std::size_t i = 0; i < samples.size(); i += step) {
-    index.nearest(samples.before[i], 2, two, squares);
-    if (!(squares.back() < near * near)) continue;
-    ++neighbours;
-    strangers += common::length(samples.after[two.front()] - samples.after[two.back()]) > far ? 1 : 0;
-  }
-  if (neighbours < least_tried || 2 * strangers <= neighbours) return;
-  throw Error(Element::file, 0,
-              fmt::format("{}: its points have another order than those of the sampling: {} of {} that were neighbours "
-                          "lie far apart; export it with the property \"index\" of the sampling, or without sorting",
-                          file, strangers, neighbours));
-}
-
-void turn_normals(Samples& samples, const SampleIndex& index, const common::Workers& workers) {
-  workers.each(samples.size(), 1024, [&](std::size_t begin, std::size_t end) {
-    std::vector<std::uint32_t> neighbours;
-    std::vector<float> squares;
-    for (std::size_t i = begin; i < end; ++i) {
-      index.nearest(samples.before[i], neighbours_of_a_frame, neighbours, squares);
-      const bool stays = std::all_of(neighbours.begin(), neighbours.end(),
-                                     [&](std::uint32_t k) { return samples.before[k] == samples.after[k]; });
-      if (!stays) samples.normals_after[i] = turned_normal(samples, i, neighbours);
-    }
-  });
-}
-
 // Normals that the file lacks are estimated.
 std::vector<float> normals_of(const FileContents& before, const Samples& samples, const std::string& file,
                               const common::Workers& workers) {
@@ -157,55 +84,121 @@ std::vector<float> normals_of(const FileContents& before, const Samples& samples
   return with_vstree(file, [&] { return vstree::estimate_normals({.positions = positions}, options); });
 }
 
-}  // namespace
-
-Sampling read_sampling(const std::filesystem::path& from, const std::filesystem::path& to,
-                       const common::Workers& workers) {
-  const FileContents before = read_file(from), after = read_file(to);
-  const std::size_t count = before.positions.size() / 3;
-  if (count == 0) throw Error(Element::file, 0, from.string() + ": the sampling has no points; sample the scan again");
-  if (after.positions.size() != before.positions.size())
-    throw Error(Element::file, 0,
-                fmt::format("{}: has {} points, the sampling {} has {}; edit without adding or removing points",
-                            to.string(), after.positions.size() / 3, from.string(), count));
-  Sampling sampling;
-  Samples& samples = sampling.samples;
-  for (std::size_t k = 0; k < 3; ++k) sampling.origin[k] = before.positions[k];
-  const std::vector<std::size_t> places = places_of(after, to.string(), count);
-  const auto relative = [&](const std::vector<double>& all, std::size_t i) {
-    return Vector3f{static_cast<float>(all[3 * i] - sampling.origin[0]),
-                    static_cast<float>(all[3 * i + 1] - sampling.origin[1]),
-                    static_cast<float>(all[3 * i + 2] - sampling.origin[2])};
-  };
-  const std::size_t width = after.schema.channels.size();
-  std::vector<std::size_t> edited;  // channels; the others keep the values of the scan
+// Which channels were edited, and of which samples.
+struct EditedChannels {
+  std::vector<std::size_t> columns;  // of the edited file; the other channels keep the values of the scan
   std::vector<std::vector<std::uint8_t>> where;
-  for (std::size_t k = 0; k < width; ++k) {
+};
+
+EditedChannels edited_channels(const FileContents& before, const FileContents& after,
+                               const std::vector<std::size_t>& places) {
+  EditedChannels edited;
+  for (std::size_t k = 0; k < after.schema.channels.size(); ++k) {
     if (after.schema.channels[k].name == "index") continue;
     std::vector<std::uint8_t> there = edited_samples(before, after, k, places);
     if (there.empty()) continue;
-    edited.push_back(k);
-    where.push_back(std::move(there));
+    edited.columns.push_back(k);
+    edited.where.push_back(std::move(there));
   }
-  for (const std::size_t k : edited) sampling.channels.push_back(after.schema.channels[k]);
-  for (std::size_t i = 0; i < count; ++i) {
-    samples.before.push_back(relative(before.positions, i));
-    samples.after.push_back(relative(after.positions, places[i]));
-    sampling.is_deformed |= !(samples.before.back() == samples.after.back());
-    for (std::size_t k = 0; k < edited.size(); ++k) {
-      samples.values.push_back(static_cast<float>(after.channels[width * places[i] + edited[k]]));
-      samples.is_edited.push_back(where[k][i]);
+  return edited;
+}
+
+Samples samples_of(const FileContents& before, const FileContents& after, const std::vector<std::size_t>& places,
+                   const EditedChannels& edited, const std::array<double, 3>& origin) {
+  const auto relative = [&](const std::vector<double>& all, std::size_t i) {
+    return Vector3f{static_cast<float>(all[3 * i] - origin[0]), static_cast<float>(all[3 * i + 1] - origin[1]),
+                    static_cast<float>(all[3 * i + 2] - origin[2])};
+  };
+  const std::size_t channels = edited.columns.size(), width = after.schema.channels.size();
+  Samples samples;
+  samples.resize(places.size(), channels);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    samples.before[i] = relative(before.positions, i);
+    samples.after[i] = relative(after.positions, places[i]);
+    for (std::size_t k = 0; k < channels; ++k) {
+      samples.values[channels * i + k] = static_cast<float>(after.channels[width * places[i] + edited.columns[k]]);
+      samples.is_edited[channels * i + k] = edited.where[k][i];
     }
   }
-  const std::vector<float> normals = normals_of(before, samples, from.string(), workers);
+  return samples;
+}
+
+// The sampling, but for its index and the turned normals.
+struct Contents {
+  Sampling sampling;
+  Samples samples;
+  bool has_indices = false;
+};
+
+Contents read_contents(const SamplingFiles& files, const common::Workers& workers) {
+  const FileContents before = read_file(files.from), after = read_file(files.to);
+  const std::size_t count = before.positions.size() / 3;
+  require_same_count(files.from, count, files.to, after.positions.size() / 3);
+  Contents contents;
+  std::copy_n(before.positions.begin(), 3, contents.sampling.origin.begin());
+  const std::vector<std::size_t> places = places_of(after, files.to.string(), count);
+  const EditedChannels edited = edited_channels(before, after, places);
+  for (const std::size_t k : edited.columns) contents.sampling.channels.push_back(after.schema.channels[k]);
+  Samples& samples = contents.samples;
+  samples = samples_of(before, after, places, edited, contents.sampling.origin);
+  contents.sampling.is_deformed = samples.before != samples.after;
+  const std::vector<float> normals = normals_of(before, samples, files.from.string(), workers);
   for (std::size_t i = 0; i < count; ++i)
-    samples.normals.push_back(common::unit(common::vector_at(std::span<const float>(normals), i)));
+    samples.normals[i] = common::unit(common::vector_at(std::span<const float>(normals), i));
   samples.normals_after = samples.normals;
-  if (!sampling.is_deformed) return sampling;
-  const SampleIndex index(samples.before);
-  if (channel_index(after.schema, "index") == none) require_same_order(samples, index, to.string());
-  turn_normals(samples, index, workers);
-  return sampling;
+  contents.has_indices = channel_index(after.schema, "index") != none;
+  return contents;
+}
+
+Sampling read_into_memory(const SamplingFiles& files, const common::Workers& workers) {
+  Contents contents = read_contents(files, workers);
+  auto store = std::make_unique<SamplesInMemory>(std::move(contents.samples));
+  if (contents.sampling.is_deformed) {
+    if (!contents.has_indices) {
+      const Samples& samples = store->samples();
+      TriedSamples tried(samples.size());
+      for (std::size_t i = 0; i < samples.size(); ++i) tried.add(i, samples.before[i], samples.after[i]);
+      tried.require_same_order(*store, files.to.string());
+    }
+    turn_normals(*store, workers);
+  }
+  contents.sampling.store = std::move(store);
+  return std::move(contents.sampling);
+}
+
+// The points of a file; of a text, at most so many.
+std::size_t most_points(const std::filesystem::path& file, const PointReader& reader) {
+  if (reader.count()) return static_cast<std::size_t>(*reader.count());
+  std::error_code error;
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  return error ? 0 : static_cast<std::size_t>(size) / least_text;
+}
+
+}  // namespace
+
+// A text or a compressed file may have fewer points than it says, so its arrays grow to twice their size.
+SamplingBytes bytes_in_memory(const SamplingFiles& files) {
+  SamplingBytes bytes;
+  std::size_t samples = 0, channels = 0;
+  for (const std::filesystem::path& file : {files.from, files.to}) {
+    const std::unique_ptr<PointReader> reader = open_points(file);
+    const Schema& schema = reader->schema();
+    const std::size_t point =
+        3 * sizeof(double) + sizeof(double) * schema.channels.size() + (schema.normals ? sizeof(Vector3f) : 0);
+    samples = most_points(file, *reader);
+    channels = schema.channels.size();
+    bytes.reading += samples * point * (reader->can_seek() ? 1 : 2);
+    if (file == files.from && !schema.normals) bytes.reading += samples * estimating_bytes_a_sample;
+  }
+  const std::size_t sample = 4 * sizeof(Vector3f) + channels * (sizeof(float) + 1);
+  bytes.reading += samples * (sample + sizeof(std::size_t) + sizeof(Vector3f) + channels);
+  bytes.kept = samples * (sample + tree_bytes_a_sample);
+  return bytes;
+}
+
+Sampling read_sampling(const SamplingFiles& files, const SamplingMemory& memory, const common::Workers& workers) {
+  if (bytes_in_memory(files).reading <= memory.sampling) return read_into_memory(files, workers);
+  return read_into_cells(files, memory, workers);
 }
 
 }  // namespace glark::stream

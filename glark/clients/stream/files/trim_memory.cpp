@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/clients/stream/sample/pass/trim_memory.h"
+#include "glark/clients/stream/files/trim_memory.h"
 
 #include <malloc.h>
 #include <unistd.h>

@@ -12,8 +12,8 @@
 #include "glark/clients/stream/files/source_file.h"
 #include "glark/clients/stream/refine/index_text.h"
 #include "glark/clients/stream/refine/region_points.h"
+#include "glark/clients/stream/samples/near_samples.h"
 #include "glark/clients/stream/transfer/deformation.h"
-#include "glark/clients/stream/transfer/near_samples.h"
 
 namespace glark::stream {
 namespace {
@@ -75,9 +75,8 @@ struct EditedSamples {
 };
 
 EditedSamples edit_of(const RegionPoints& added, const Sampling& sampling, const RefineOptions& options) {
-  const SampleIndex tree(sampling.samples.before);
   const std::size_t width = sampling.channels.size();
-  NearSamples near(tree, sampling.samples, options.neighbours, width);
+  NearSamples near(*sampling.store, options.neighbours);
   EditedSamples edited{added.positions, added.normals, {}};
   for (std::size_t i = 0; i < added.positions.size() / 3; ++i) {
     Vector3f p;
@@ -143,6 +142,9 @@ SampleOptions sample_options(const RefineOptions& options) {
   return sampling;
 }
 
+// Half of the memory: the points of the region get the other one. Small samplings stay in memory in any case.
+std::size_t sampling_memory(std::size_t memory) { return std::max(memory / 2, std::size_t{16} << 20); }
+
 }  // namespace
 
 RefineReport refine(const RefineFiles& files, const Region& region, const RefineOptions& options) {
@@ -156,8 +158,9 @@ RefineReport refine(const RefineFiles& files, const Region& region, const Refine
     throw Error(Element::file, 0,
                 fmt::format("{}: has {} bytes, its index was made for {}; sample the scan again", scan.name(),
                             scan.size(), index.bytes));
-  const Sampling sampling = read_sampling(files.from, files.to, workers);
-  const std::size_t samples = sampling.samples.before.size();
+  const Sampling sampling = read_sampling({files.from, files.to, files.output.parent_path()},
+                                          {sampling_memory(options.memory), options.memory}, workers);
+  const std::size_t samples = sampling.store->size();
   if (index.samples != 0 && index.samples != samples)
     throw Error(Element::file, 0,
                 fmt::format("{}: is the index of a sampling with {} samples, {} has {}; sample the scan again",

@@ -24,25 +24,28 @@ struct Range {
 };
 
 // The cells around the samples of the region.
-std::vector<std::size_t> cells_around(const CellIndex& index, const Sampling& sampling, const SampleIndex& tree,
+std::vector<std::size_t> cells_around(const CellIndex& index, const Sampling& sampling,
                                       const std::vector<bool>& is_inside) {
   std::vector<bool> is_needed(index.cells.size());
-  std::vector<std::uint32_t> near;
-  std::vector<float> squares;
-  for (std::size_t i = 0; i < is_inside.size(); ++i) {
-    if (!is_inside[i]) continue;
-    tree.nearest(sampling.samples.before[i], around, near, squares);
-    const double reach = std::sqrt(static_cast<double>(squares.back()));
+  const auto need = [&](const Vector3f& sample, double reach) {
     for (std::size_t c = 0; c < index.cells.size(); ++c) {
       const SampledCell& cell = index.cells[c];
       bool meets = !is_needed[c];
       for (std::size_t k = 0; k < 3 && meets; ++k) {
-        const double at = sampling.origin[k] + static_cast<double>(sampling.samples.before[i][k]);
+        const double at = sampling.origin[k] + static_cast<double>(sample[k]);
         meets = at + reach >= cell.corner[k] && at - reach <= cell.corner[k] + cell.side;
       }
       if (meets) is_needed[c] = true;
     }
-  }
+  };
+  FoundSamples near;
+  sampling.store->each([&](std::span<const std::uint32_t> indices, const Samples& samples) {
+    for (std::size_t i = 0; i < indices.size(); ++i) {
+      if (!is_inside[indices[i]]) continue;
+      sampling.store->nearest(samples.before[i], around, near);
+      need(samples.before[i], std::sqrt(static_cast<double>(near.nearest.back().square)));
+    }
+  });
   std::vector<std::size_t> cells;
   for (std::size_t c = 0; c < is_needed.size(); ++c)
     if (is_needed[c]) cells.push_back(c);
@@ -88,14 +91,9 @@ struct Piece {
 
 class RegionReader {
  public:
-  RegionReader(const Sampling& sampling, const SampleIndex& tree, const std::vector<bool>& is_inside,
-               std::vector<SampledCell> cells, std::size_t memory)
-      : sampling_(sampling),
-        tree_(tree),
-        is_inside_(is_inside),
-        cells_(std::move(cells)),
-        box_(box_of(cells_)),
-        memory_(memory) {}
+  RegionReader(const Sampling& sampling, const std::vector<bool>& is_inside, std::vector<SampledCell> cells,
+               std::size_t memory)
+      : sampling_(sampling), is_inside_(is_inside), cells_(std::move(cells)), box_(box_of(cells_)), memory_(memory) {}
 
   RegionPoints run(BlockSource& source, const std::vector<Range>& ranges) {
     RegionPoints all;
@@ -115,8 +113,7 @@ class RegionReader {
   void keep(const Points& points, std::size_t channels) {
     Piece piece{points.first, {}};
     const SampledCell* cell = cells_.data();
-    std::vector<std::uint32_t> near;
-    std::vector<float> squares;
+    FoundSamples near;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const double* position = &points.positions[3 * i];
       if (!is_in(box_, position)) continue;
@@ -128,9 +125,9 @@ class RegionReader {
       }
       Vector3f p;
       for (std::size_t k = 0; k < 3; ++k) p[k] = static_cast<float>(position[k] - sampling_.origin[k]);
-      tree_.nearest(p, 2, near, squares);
-      if (!is_inside_[near[0]]) continue;
-      if (squares[0] <= same_place * squares.back()) {
+      sampling_.store->nearest(p, 2, near);
+      if (!is_inside_[near.nearest[0].index]) continue;
+      if (near.nearest[0].square <= same_place * near.nearest.back().square) {
         ++piece.kept.samples;
         continue;
       }
@@ -161,7 +158,6 @@ class RegionReader {
   }
 
   const Sampling& sampling_;
-  const SampleIndex& tree_;
   const std::vector<bool>& is_inside_;
   std::vector<SampledCell> cells_;
   SampledCell box_;
@@ -170,10 +166,22 @@ class RegionReader {
   std::vector<Piece> pieces_;
 };
 
+// channel: the one of the region, if it is one.
+bool is_in(const Region& region, const Sampling& sampling, std::size_t channel, const Samples& samples, std::size_t i) {
+  if (region.kind == Region::Kind::channel) return samples.values[sampling.channels.size() * i + channel] != 0;
+  double square = 0;
+  bool in_box = true;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double at = sampling.origin[k] + static_cast<double>(samples.after[i][k]);
+    square += (at - region.centre[k]) * (at - region.centre[k]);
+    in_box &= at >= region.low[k] && at <= region.high[k];
+  }
+  return region.kind == Region::Kind::box ? in_box : square <= region.radius * region.radius;
+}
+
 }  // namespace
 
 std::vector<bool> samples_in(const Region& region, const Sampling& sampling, const std::string& file) {
-  const Samples& samples = sampling.samples;
   std::size_t channel = none;
   for (std::size_t k = 0; k < sampling.channels.size(); ++k)
     if (sampling.channels[k].name == region.channel) channel = k;
@@ -181,20 +189,11 @@ std::vector<bool> samples_in(const Region& region, const Sampling& sampling, con
     throw Error(
         Element::option, 0,
         fmt::format("{}: its points have no new property \"{}\"; export the selection as one", file, region.channel));
-  std::vector<bool> is_inside(samples.size());
-  for (std::size_t i = 0; i < is_inside.size(); ++i) {
-    double square = 0;
-    bool in_box = true;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const double at = sampling.origin[k] + static_cast<double>(samples.after[i][k]);
-      square += (at - region.centre[k]) * (at - region.centre[k]);
-      in_box &= at >= region.low[k] && at <= region.high[k];
-    }
-    if (region.kind == Region::Kind::box) is_inside[i] = in_box;
-    if (region.kind == Region::Kind::sphere) is_inside[i] = square <= region.radius * region.radius;
-    if (region.kind == Region::Kind::channel)
-      is_inside[i] = samples.values[sampling.channels.size() * i + channel] != 0;
-  }
+  std::vector<bool> is_inside(sampling.store->size());
+  sampling.store->each([&](std::span<const std::uint32_t> indices, const Samples& samples) {
+    for (std::size_t i = 0; i < indices.size(); ++i)
+      is_inside[indices[i]] = is_in(region, sampling, channel, samples, i);
+  });
   if (std::find(is_inside.begin(), is_inside.end(), true) == is_inside.end())
     throw Error(Element::option, 0,
                 file + ": no sample lies in the region; choose one within the bounding box of the sampling");
@@ -203,8 +202,7 @@ std::vector<bool> samples_in(const Region& region, const Sampling& sampling, con
 
 RegionPoints read_region(const std::filesystem::path& large, const CellIndex& index, const Sampling& sampling,
                          const std::vector<bool>& is_inside, std::size_t memory, const common::Workers& workers) {
-  const SampleIndex tree(sampling.samples.before);
-  const std::vector<std::size_t> needed = cells_around(index, sampling, tree, is_inside);
+  const std::vector<std::size_t> needed = cells_around(index, sampling, is_inside);
   std::vector<SampledCell> cells;
   for (const std::size_t c : needed) cells.push_back(index.cells[c]);
   if (cells.empty())
@@ -218,7 +216,7 @@ RegionPoints read_region(const std::filesystem::path& large, const CellIndex& in
     throw Error(Element::file, 0,
                 fmt::format("{}: has {} points, its index was made for {}; sample the scan again", large.string(),
                             *points.count(), index.points));
-  return RegionReader(sampling, tree, is_inside, std::move(cells), memory).run(points, ranges_of(index, needed));
+  return RegionReader(sampling, is_inside, std::move(cells), memory).run(points, ranges_of(index, needed));
 }
 
 }  // namespace glark::stream

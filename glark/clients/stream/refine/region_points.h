@@ -6,7 +6,7 @@
 
 #include <glark/stream.h>
 
-#include "glark/clients/stream/transfer/sampling.h"
+#include "glark/clients/stream/edit/sampling.h"
 
 namespace glark::stream {
 

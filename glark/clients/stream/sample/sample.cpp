@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "glark/clients/stream/files/source_file.h"
-#include "glark/clients/stream/sample/pass/trim_memory.h"
+#include "glark/clients/stream/files/trim_memory.h"
 #include "glark/clients/stream/sample/sample_and_publish.h"
 #include "glark/clients/stream/sample/sample_steps.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/clients/stream/transfer/near_samples.h"
+#include "glark/clients/stream/samples/near_samples.h"
 
 #include <algorithm>
 #include <bit>
@@ -16,40 +16,25 @@ constexpr std::size_t gathered = 4;     // times the nearest samples of a point
 constexpr float wider = 1.0001F;        // for the rounding of distances
 constexpr std::int32_t low_bits = 255;  // of a key: the sample. The others are those of the squared distance
 
-void copy(const std::vector<Vector3f>& from, const std::vector<std::uint32_t>& indices, std::vector<Vector3f>& to) {
-  to.resize(indices.size());
-  for (std::size_t i = 0; i < indices.size() && !from.empty(); ++i) to[i] = from[indices[i]];
-}
-
 }  // namespace
 
-NearSamples::NearSamples(const SampleIndex& index, const Samples& samples, std::size_t count, std::size_t channels)
-    : index_(index), all_(samples), count_(std::min(count, samples.size())), channels_(channels) {}
+NearSamples::NearSamples(const SampleStore& store, std::size_t count)
+    : store_(store), count_(std::min(count, store.size())) {}
 
 void NearSamples::gather(const Vector3f& centre) {
   centre_ = centre;
-  index_.nearest(centre, std::min(most, gathered * count_), indices_, squares_);
-  farthest_ = std::sqrt(squares_[count_ - 1]);
-  covered_ = indices_.size() == all_.size() ? std::numeric_limits<float>::max() : std::sqrt(squares_.back());
+  store_.gather(centre, std::min(most, gathered * count_), gathered_);
+  const std::vector<NearSample>& nearest = gathered_.nearest;
+  farthest_ = std::sqrt(nearest[count_ - 1].square);
+  covered_ = nearest.size() == store_.size() ? std::numeric_limits<float>::max() : std::sqrt(nearest.back().square);
   reach_ = (covered_ - farthest_) / 2;
   last_point_ = centre;
   last_farthest_ = farthest_;
-  copy(all_.before, indices_, near_.before);
-  for (std::size_t i = 0; i < near_.size(); ++i) {
-    x_[i] = near_.before[i].x;
-    y_[i] = near_.before[i].y;
-    z_[i] = near_.before[i].z;
+  for (std::size_t i = 0; i < nearest.size(); ++i) {
+    x_[i] = samples().before[i].x;
+    y_[i] = samples().before[i].y;
+    z_[i] = samples().before[i].z;
   }
-  copy(all_.after, indices_, near_.after);
-  copy(all_.normals, indices_, near_.normals);
-  copy(all_.normals_after, indices_, near_.normals_after);
-  near_.values.resize(channels_ * indices_.size());
-  near_.is_edited.resize(channels_ * indices_.size());
-  for (std::size_t i = 0; i < indices_.size(); ++i)
-    for (std::size_t k = 0; k < channels_; ++k) {
-      near_.values[channels_ * i + k] = all_.values[channels_ * indices_[i] + k];
-      near_.is_edited[channels_ * i + k] = all_.is_edited[channels_ * indices_[i] + k];
-    }
 }
 
 // Sorts at most `width` keys. A key's place is the number of smaller keys: no branch depends on the keys.
@@ -75,10 +60,11 @@ void NearSamples::sort_keys(std::size_t found) {
 // sample, so that the result does not depend on which samples are gathered.
 void NearSamples::sort_like_keys(const std::array<float, most>& squares, std::size_t found) {
   const auto place = [&](std::int32_t key) { return static_cast<std::size_t>(key & low_bits); };
+  const auto index_of = [&](std::size_t i) { return gathered_.nearest[i].index; };
   const auto is_nearer = [&](std::int32_t a, std::int32_t b) {
     if (((a ^ b) & ~low_bits) != 0) return false;
     const float square_a = squares[place(a)], square_b = squares[place(b)];
-    return square_a < square_b || (square_a == square_b && indices_[place(a)] < indices_[place(b)]);
+    return square_a < square_b || (square_a == square_b && index_of(place(a)) < index_of(place(b)));
   };
   for (std::size_t i = 1; i < found; ++i)
     for (std::size_t k = i; k > 0 && is_nearer(keys_[k], keys_[k - 1]); --k) std::swap(keys_[k], keys_[k - 1]);
@@ -92,7 +78,7 @@ bool NearSamples::choose(const Vector3f& point) {
   const float bound = std::min(farthest_ + away, last_farthest_ + common::length(point - last_point_)) * wider;
   const float square = bound * bound + std::numeric_limits<float>::min();
   std::array<float, most> squares;
-  const std::size_t size = near_.size();
+  const std::size_t size = samples().size();
   for (std::size_t i = 0; i < size; ++i) {
     const float dx = x_[i] - point.x, dy = y_[i] - point.y, dz = z_[i] - point.z;
     squares[i] = dx * dx + dy * dy + dz * dz;

@@ -9,15 +9,14 @@
 #include <cstdint>
 #include <span>
 
-#include "glark/clients/stream/transfer/sample_index.h"
-#include "glark/clients/stream/transfer/samples.h"
+#include "glark/clients/stream/samples/sample_store.h"
 
 namespace glark::stream {
 
 class NearSamples {
  public:
-  // count: the nearest samples of a point, 3 to 64. channels: values of each sample.
-  NearSamples(const SampleIndex& index, const Samples& samples, std::size_t count, std::size_t channels);
+  // count: the nearest samples of a point, 3 to 64.
+  NearSamples(const SampleStore& store, std::size_t count);
 
   // Gathers the samples around the next points.
   void gather(const common::Vector3f& centre);
@@ -28,7 +27,7 @@ class NearSamples {
   // Whether the last point lies away from all samples: its nearest one is about as far as all others that were found.
   bool is_away() const { return distances_[0] > away * last_farthest_; }
   // What the indices of find() mean.
-  const Samples& samples() const { return near_; }
+  const Samples& samples() const { return gathered_.samples; }
 
  private:
   bool choose(const common::Vector3f& point);
@@ -40,12 +39,9 @@ class NearSamples {
   template <std::size_t width>
   void sort_few(std::size_t found);
 
-  const SampleIndex& index_;
-  const Samples& all_;
-  std::size_t count_, channels_;
-  Samples near_;
-  std::vector<std::uint32_t> indices_;
-  std::vector<float> squares_;
+  const SampleStore& store_;
+  std::size_t count_;
+  FoundSamples gathered_;
   common::Vector3f centre_;
   float reach_ = 0;
   float farthest_ = 0;           // the distance of the last one of the `count` nearest samples from the centre

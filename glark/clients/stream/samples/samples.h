@@ -17,6 +17,10 @@ struct Samples {
   std::vector<std::uint8_t> is_edited;                   // [channels * samples]: the value was another one before
 
   std::size_t size() const { return before.size(); }
+  std::size_t channels() const { return before.empty() ? 0 : values.size() / before.size(); }
+  void resize(std::size_t count, std::size_t channels);
+  // Copies a sample to the place `to`. channels: those of both.
+  void copy(const Samples& from, std::size_t place, std::size_t to, std::size_t channels);
 };
 
 // A sample near a point, and its weight.

@@ -8,7 +8,7 @@
 #include <array>
 #include <span>
 
-#include "glark/clients/stream/transfer/samples.h"
+#include "glark/clients/stream/samples/samples.h"
 
 namespace glark::stream {
 

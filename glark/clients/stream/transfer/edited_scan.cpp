@@ -68,10 +68,10 @@ EditedScan::EditedScan(const TransferFiles& files, const TransferOptions& option
       before_(file_.state()),
       format_(format_of(files.large, "")),
       layout_(binary_layout(file_, format_, files.output)),
-      sampling_(read_sampling(files.from, files.to, workers_)),
-      index_(sampling_.samples.before),
+      memory_(options.memory, {files.from, files.to, files.temporary}, workers_),
+      sampling_(read_sampling({files.from, files.to, files.temporary}, {memory_.sampling, options.memory}, workers_)),
       output_(file_, layout_, format_, sampling_.channels),
-      editor_(sampling_, index_, layout_, output_, options_, workers_, files.output.string()) {}
+      editor_(sampling_, layout_, output_, {options_, memory_.batch}, workers_, files.output.string()) {}
 
 std::string EditedScan::identity() const {
   const FileState from = SourceFile(files_.from).state(), to = SourceFile(files_.to).state();
@@ -91,7 +91,7 @@ EditedScan::Edited EditedScan::edit(std::uint64_t first, std::uint64_t end) {
 }
 
 TransferReport EditedScan::report() const {
-  TransferReport report{layout_.points(), sampling_.is_deformed, {}, editor_.points_away()};
+  TransferReport report{layout_.points(), sampling_.is_deformed, {}, editor_.points_away(), sampling_.store->cells()};
   for (const Channel& channel : sampling_.channels) report.channels.push_back(channel.name);
   return report;
 }

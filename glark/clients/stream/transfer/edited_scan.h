@@ -13,13 +13,15 @@
 #include "glark/clients/common/workers.h"
 #include "glark/clients/stream/files/source_file.h"
 #include "glark/clients/stream/transfer/record_editor.h"
+#include "glark/clients/stream/transfer/transfer_memory.h"
 
 namespace glark::stream {
 
 struct TransferFiles {
-  std::filesystem::path large;     // the scan
-  std::filesystem::path from, to;  // its sampling, before and after the edit
-  std::filesystem::path output;    // in the format of the scan
+  std::filesystem::path large;                             // the scan
+  std::filesystem::path from, to;                          // its sampling, before and after the edit
+  std::filesystem::path output;                            // in the format of the scan
+  std::filesystem::path temporary = output.parent_path();  // a folder for the cells of a sampling that is too large
 };
 
 // The bounding box of edited points, which a LAS header stores.
@@ -63,8 +65,8 @@ class EditedScan {
   FileState before_;
   std::string format_;
   Layout layout_;  // of the scan
+  TransferMemory memory_;
   Sampling sampling_;
-  SampleIndex index_;
   OutputLayout output_;
   RecordEditor editor_;
   std::vector<char> records_, edited_;

@@ -15,7 +15,7 @@ using common::Vector3f;
 
 constexpr std::size_t piece = 1 << 14;                                     // records, or points in their order
 constexpr std::size_t coherent_batch = 1 << 17, shuffled_batch = 1 << 20;  // records, at most
-constexpr std::size_t shuffled_memory = 128 << 20;                         // bytes
+constexpr std::size_t least_batch = 1 << 12;
 constexpr std::size_t points_of_a_search = 4;  // fewer: the points that follow each other are far apart
 
 // Copies records to records that may be larger.
@@ -36,24 +36,24 @@ bool stay(const Samples& samples, std::span<const Neighbour> neighbours) {
 
 }  // namespace
 
-RecordEditor::RecordEditor(const Sampling& sampling, const SampleIndex& index, const Layout& from,
-                           const OutputLayout& to, const TransferOptions& options, const common::Workers& workers,
-                           std::string file)
+RecordEditor::RecordEditor(const Sampling& sampling, const Layout& from, const OutputLayout& to,
+                           const EditorOptions& options, const common::Workers& workers, std::string file)
     : sampling_(sampling),
-      index_(index),
       from_(from),
       to_(to),
-      options_(options),
+      options_(options.transfer),
+      memory_(options.memory),
       workers_(workers),
       file_(std::move(file)) {}
 
 std::size_t RecordEditor::batch_size() const {
-  if (!is_shuffled_) return coherent_batch;
-  constexpr std::size_t sorting = 5 * sizeof(std::uint32_t);
+  constexpr std::size_t sorting = 5 * sizeof(std::uint32_t), box = 3 * sizeof(double);
   const std::size_t point =
       3 * (sizeof(double) + sizeof(float)) + sizeof(Vector3f) + sorting + to_.channels().size() * sizeof(EditedValue);
-  const std::size_t record = from_.record_size + to_.layout().record_size + point * from_.points_per_record;
-  return std::clamp(shuffled_memory / record, coherent_batch, shuffled_batch);
+  const std::size_t record =
+      from_.record_size + to_.layout().record_size + (point + (to_.has_box() ? box : 0)) * from_.points_per_record;
+  const std::size_t fitting = memory_ / record;
+  return std::clamp(fitting, least_batch, is_shuffled_ ? shuffled_batch : coherent_batch);
 }
 
 void RecordEditor::edit(std::uint64_t first, std::span<const char> records, std::span<char> edited) {
@@ -109,7 +109,7 @@ void RecordEditor::sort_points(std::size_t begin, std::size_t end) {
 }
 
 void RecordEditor::edit_points(std::size_t begin, std::size_t end) {
-  NearSamples near(index_, sampling_.samples, options_.neighbours, sampling_.channels.size());
+  NearSamples near(*sampling_.store, options_.neighbours);
   std::size_t searches = 0, away = 0;
   for (std::span<const std::uint32_t> order(&order_[begin], end - begin); !order.empty(); ++searches) {
     const std::size_t count = gather(order, near);

@@ -9,17 +9,22 @@
 #include <vector>
 
 #include "glark/clients/common/workers.h"
-#include "glark/clients/stream/transfer/near_samples.h"
+#include "glark/clients/stream/edit/sampling.h"
+#include "glark/clients/stream/samples/near_samples.h"
 #include "glark/clients/stream/transfer/output_layout.h"
-#include "glark/clients/stream/transfer/sampling.h"
 
 namespace glark::stream {
+
+struct EditorOptions {
+  const TransferOptions& transfer;
+  std::size_t memory = 0;  // bytes for the records that are edited at a time
+};
 
 class RecordEditor {
  public:
   // from, to: the layouts of the scan and of the output, `file`. All must live as long as the editor.
-  RecordEditor(const Sampling& sampling, const SampleIndex& index, const Layout& from, const OutputLayout& to,
-               const TransferOptions& options, const common::Workers& workers, std::string file);
+  RecordEditor(const Sampling& sampling, const Layout& from, const OutputLayout& to, const EditorOptions& options,
+               const common::Workers& workers, std::string file);
 
   // How many records to edit at a time: many, once points that follow each other in the file were found far apart. Among
   // many, each has near ones. The result does not depend on it.
@@ -44,10 +49,10 @@ class RecordEditor {
   void write_channels(std::span<const EditedValue> values, std::span<char> records) const;
 
   const Sampling& sampling_;
-  const SampleIndex& index_;
   const Layout& from_;
   const OutputLayout& to_;
   const TransferOptions& options_;
+  const std::size_t memory_;
   const common::Workers& workers_;
   const std::string file_;
   bool is_shuffled_ = false;

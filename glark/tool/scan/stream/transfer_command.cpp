@@ -27,6 +27,13 @@ void describe(CLI::App& command, TransferCommand& transfer) {
                   "Samples that a point follows, 3 to 64; more make colours smoother; default 12")
       ->check(between(3, 64));
   command.add_flag("--sharp", transfer.options.singular, "Keep sharp borders of colours");
+  command
+      .add_option(
+          "--memory", transfer.options.memory,
+          "The most memory, as 64MB or 1GB; default 256MB. A sampling that does not fit lies in cells on the disk; "
+          "the result is the same")
+      ->transform(bytes_above_zero())
+      ->type_name("BYTES");
   command.add_option("--threads", transfer.options.threads,
                      "Most threads; default: all of the machine. The result is the same");
   command.add_flag("--json", transfer.json, "Report as JSON on standard output");
@@ -36,9 +43,15 @@ Report report_of(const TransferCommand& transfer, const stream::TransferReport& 
   if (report.points_away > report.points / 2)
     warn(fmt::format("{} of the {} points of {} lie away from all samples of {}; is it a sampling of this scan?",
                      report.points_away, report.points, transfer.input, transfer.from));
+  if (report.cells_on_disk > 0)
+    warn(fmt::format(
+        "{}: the sampling does not fit into the memory of {} bytes, so its {} cells are in a temporary file; "
+        "more --memory takes less time",
+        transfer.from, transfer.options.memory, report.cells_on_disk));
   Report printed;
   printed["points"] = report.points;
   printed["points_away"] = report.points_away;
+  printed["cells_on_disk"] = report.cells_on_disk;
   printed["deformed"] = report.is_deformed;
   printed["channels"] = report.channels;
   printed["seconds"] = seconds;

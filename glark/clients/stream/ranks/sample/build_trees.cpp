@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <mutex>
 
+#include "glark/clients/stream/files/trim_memory.h"
 #include "glark/clients/stream/ranks/agreement.h"
 #include "glark/clients/stream/ranks/sample/open_changes.h"
 #include "glark/clients/stream/ranks/sample/send_points.h"
 #include "glark/clients/stream/sample/pass/cell_trees.h"
 #include "glark/clients/stream/sample/pass/local_points.h"
 #include "glark/clients/stream/sample/pass/open_memory.h"
-#include "glark/clients/stream/sample/pass/trim_memory.h"
 
 namespace glark::stream {
 namespace {

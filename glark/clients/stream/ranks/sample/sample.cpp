@@ -5,11 +5,11 @@
 #include <memory>
 #include <optional>
 
+#include "glark/clients/stream/files/trim_memory.h"
 #include "glark/clients/stream/ranks/agreement.h"
 #include "glark/clients/stream/ranks/sample/build_trees.h"
 #include "glark/clients/stream/ranks/sample/select.h"
 #include "glark/clients/stream/ranks/sample/send_points.h"
-#include "glark/clients/stream/sample/pass/trim_memory.h"
 #include "glark/clients/stream/sample/sample_and_publish.h"
 #include "glark/clients/stream/sample_files.h"
 

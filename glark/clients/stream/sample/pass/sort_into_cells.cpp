@@ -4,9 +4,9 @@
 // For streams without coherence. The count of each cell is known, so that each cell has its place in one file.
 #include <algorithm>
 
+#include "glark/clients/stream/files/trim_memory.h"
 #include "glark/clients/stream/sample/pass/cell_trees.h"
 #include "glark/clients/stream/sample/pass/stored_point.h"
-#include "glark/clients/stream/sample/pass/trim_memory.h"
 
 namespace glark::stream {
 namespace {

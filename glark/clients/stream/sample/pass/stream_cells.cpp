@@ -6,9 +6,9 @@
 #include <bit>
 #include <cstring>
 
+#include "glark/clients/stream/files/trim_memory.h"
 #include "glark/clients/stream/sample/pass/local_points.h"
 #include "glark/clients/stream/sample/pass/open_memory.h"
-#include "glark/clients/stream/sample/pass/trim_memory.h"
 
 namespace glark::stream {
 namespace {
