@@ -24,7 +24,7 @@ except ImportError:
     print("numpy is missing: skipped")
     sys.exit(0)
 
-from scans import bumpy_sphere  # noqa: E402
+from scans import bumpy_sphere, write_las  # noqa: E402
 
 PROGRAM, KILLS = "", 2
 MIB = 1 << 20
@@ -275,6 +275,16 @@ class Commands(unittest.TestCase):
         (self.path / "again.raw").write_text("old")
         self.assertGreater(self.killed(self.path / "again.raw", *options, self.path / "again.raw"), 0)
         self.assertEqual((self.path / "out.raw").read_bytes(), (self.path / "again.raw").read_bytes())
+
+    def test_waveforms_in_a_file_of_their_own_are_told(self):
+        large, small = write_las(self.path / "large.las", bumpy_sphere(20000)), self.path / "small.ply"
+        self.run_it("sample", large, "-o", small, "--target", 500)
+        arguments = ["transfer", large, "--from", small, "--to", small, "-o", self.path / "out.las"]
+        self.assertNotIn("waveforms", self.run_it(*arguments).stderr)
+        (self.path / "large.wdp").write_bytes(b"waves")
+        self.assertIn("out.wdp", self.run_it(*arguments).stderr)
+        (self.path / "out.wdp").write_bytes(b"waves")
+        self.assertNotIn("waveforms", self.run_it(*arguments).stderr)
 
     def test_a_sampling_of_another_scan_is_told(self):
         large, small = write_scan(self.path / "large.raw", 20000), self.path / "small.ply"

@@ -359,6 +359,31 @@ TEST_F(Edited, LasKeepsItsOtherNumbers) {
     EXPECT_NEAR(after.positions[i], before.positions[i] + 100, 1e-3);
 }
 
+// Version 1.4 has records of variable length after the points: coordinate systems and waveforms, for example. The header
+// has the bytes where they begin.
+TEST_F(Edited, LasKeepsWhatFollowsThePoints) {
+  AllPoints large = sheet(40);
+  large.normals.clear();
+  large.channels.assign(large.positions.size() / 3, 7);
+  write("large.las", large, {Number::float64, false, {{"gps_time", Number::float64}}});
+  std::string bytes = bytes_of(path("large.las"));
+  ASSERT_EQ(bytes[25], 4);
+  const std::uint64_t end = bytes.size();
+  for (const std::size_t at : {227, 235}) std::memcpy(&bytes[at], &end, sizeof end);
+  bytes[243] = 1;  // record
+  const std::string record = std::string(60, 'v') + "what only other programs know";
+  made("large.las", bytes + record);
+  write("small.ply", sheet(18), plain);
+  write("edited.ply", moved(sheet(18), [](const Point& p) { return Point{p[0] + 100, p[1], p[2]}; }), plain);
+  transfer(path("large.las"), path("small.ply"), path("edited.ply"), path("out.las"));
+  const std::string out = bytes_of(path("out.las"));
+  ASSERT_EQ(out.size(), end + record.size());
+  EXPECT_EQ(out.substr(end), record);
+  EXPECT_EQ(out.substr(227, 20), bytes.substr(227, 20));
+  const AllPoints after = read_all(*open_points(path("out.las")));
+  EXPECT_NEAR(after.positions[0], large.positions[0] + 100, 1e-3);
+}
+
 TEST_F(Edited, ACoordinateThatLasCannotHoldIsExplained) {
   const Schema las{Number::float64, false, {}};
   AllPoints large = sheet(40);

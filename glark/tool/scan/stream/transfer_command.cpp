@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "glark/tool/scan/peak_memory.h"
 #include "glark/tool/scan/validators.h"
 
@@ -39,10 +41,26 @@ void describe(CLI::App& command, TransferCommand& transfer) {
   command.add_flag("--json", transfer.json, "Report as JSON on standard output");
 }
 
+namespace {
+
+// LAS may have its waveforms in a file of their own, whose name is that of the points.
+void warn_of_waveforms(const TransferCommand& transfer) {
+  namespace fs = std::filesystem;
+  const auto beside = [](fs::path file) { return file.replace_extension(".wdp").string(); };
+  std::error_code error;
+  if (fs::path(transfer.input).extension() != ".las" || !fs::is_regular_file(beside(transfer.input), error)) return;
+  if (fs::exists(beside(transfer.output), error)) return;
+  warn(fmt::format("{}: the waveforms of {} are not copied; copy them to {}", beside(transfer.input), transfer.input,
+                   beside(transfer.output)));
+}
+
+}  // namespace
+
 Report report_of(const TransferCommand& transfer, const stream::TransferReport& report, double seconds) {
   if (report.points_away > report.points / 2)
     warn(fmt::format("{} of the {} points of {} lie away from all samples of {}; is it a sampling of this scan?",
                      report.points_away, report.points, transfer.input, transfer.from));
+  warn_of_waveforms(transfer);
   if (report.cells_on_disk > 0)
     warn(fmt::format(
         "{}: the sampling does not fit into the memory of {} bytes, so its {} cells are in a temporary file; "
