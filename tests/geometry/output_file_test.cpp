@@ -4,6 +4,8 @@
 // An output file takes the mode and the owner of the file that it replaces.
 #include <sys/stat.h>
 
+#include "glark/clients/common/named_files.h"
+#include "glark/clients/geometry/write/output_file.h"
 #include "tests/geometry/temporary_file.h"
 
 namespace glark::geometry {
@@ -44,6 +46,32 @@ TEST_F(OutputFiles, KeepTheOwnerWhereThisIsPermitted) {
   EXPECT_EQ(12345U, status_of(file).st_uid);
   EXPECT_EQ(12346U, status_of(file).st_gid);
   EXPECT_EQ(0640U, status_of(file).st_mode & 07777U);
+}
+
+// The name is there between commit()'s two steps, or earlier where the file system has no files without names.
+TEST_F(OutputFiles, ASignalRemovesTheirTemporaryNames) {
+  const std::filesystem::path file = made("a.ply", "old");
+  {
+    OutputFile output(file);
+    output.write("new");
+    output.prepare();
+    EXPECT_EQ(2U, file_count());
+    common::NamedFiles::unlink_all();  // as a signal handler does
+    EXPECT_EQ(1U, file_count());
+  }
+  OutputFile output(file);
+  output.write("new");
+  output.commit();
+  common::NamedFiles::unlink_all();
+  EXPECT_EQ(3U, std::filesystem::file_size(file));  // the finished file is not temporary
+  EXPECT_EQ(1U, file_count());
+}
+
+TEST(NamedFiles, NamesThatDoNotFitAreLeftOut) {
+  common::NamedFiles::add(std::string(5000, 'x'));
+  for (int i = 0; i < 20; ++i) common::NamedFiles::add("/nowhere/" + std::to_string(i));
+  common::NamedFiles::unlink_all();
+  for (int i = 0; i < 20; ++i) common::NamedFiles::remove("/nowhere/" + std::to_string(i));
 }
 
 TEST_F(OutputFiles, ALinkStaysALink) {

@@ -10,6 +10,7 @@ import os
 import pathlib
 import random
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -275,6 +276,29 @@ class Commands(unittest.TestCase):
         (self.path / "again.raw").write_text("old")
         self.assertGreater(self.killed(self.path / "again.raw", *options, self.path / "again.raw"), 0)
         self.assertEqual((self.path / "out.raw").read_bytes(), (self.path / "again.raw").read_bytes())
+
+    def test_an_interrupt_leaves_the_old_output(self):
+        """Ctrl-C at any moment of commands that have the whole file in memory."""
+        mesh = write_grid(self.path / "mesh.ply", 300)
+        moments = random.Random(5)
+        for command in (["simplify", "--target", 2000], ["reconstruct"], ["strip"], ["info"]):
+            output = self.path / "out.ply"
+            output.write_text("old")
+            interrupted = 0
+            for _ in range(3):
+                arguments = [*command, mesh, "--skip-invalid", *(["-o", output] if command[0] != "info" else [])]
+                process = subprocess.Popen([PROGRAM, *map(str, arguments)], stdout=subprocess.DEVNULL,
+                                           stderr=subprocess.DEVNULL)
+                time.sleep(moments.uniform(0.02, 0.2))
+                process.send_signal(signal.SIGINT)
+                status = process.wait()
+                interrupted += status == -signal.SIGINT
+                self.assertIn(status, (0, -signal.SIGINT), command)  # a shell shows the latter as 130
+                if status != 0:
+                    self.assertEqual(output.read_bytes()[:3], b"old")
+                self.assertEqual(sorted(file.name for file in self.path.iterdir()), ["mesh.ply", "out.ply"])
+                output.write_text("old")
+            self.assertGreater(interrupted, 0, command)
 
     def test_waveforms_in_a_file_of_their_own_are_told(self):
         large, small = write_las(self.path / "large.las", bumpy_sphere(20000)), self.path / "small.ply"

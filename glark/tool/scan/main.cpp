@@ -4,11 +4,13 @@
 // glark-scan: the commands of `glark` that work on files of points and triangles. It is a separate program, because its
 // libraries would slow down the start of `glark run`.
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <cstdio>
 #include <exception>
 #include <new>
 #include <string>
 
+#include "glark/clients/common/named_files.h"
 #include "glark/tool/scan/commands.h"
 #include "glark/tool/scan/complaint.h"
 
@@ -16,7 +18,25 @@ using glark::tool::complain;
 using glark::tool::exit_failure;
 using glark::tool::exit_usage;
 
+namespace {
+
+// Ends as the signal ends a program, but leaves no file that only this run knows.
+void end_by(int number) {
+  glark::common::NamedFiles::unlink_all();
+  std::signal(number, SIG_DFL);
+  std::raise(number);
+}
+
+// A signal that was ignored before, as by nohup, stays ignored.
+void end_clean_by_signals() {
+  for (const int number : {SIGINT, SIGTERM, SIGHUP})
+    if (std::signal(number, end_by) == SIG_IGN) std::signal(number, SIG_IGN);
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
+  end_clean_by_signals();
   CLI::App app("glark: points and triangles in files", "glark");
   app.require_subcommand(1);
   glark::tool::add_info(app);

@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <cstring>
 
+#include "glark/clients/common/named_files.h"
 #include "glark/clients/geometry/geometry.h"
 
 namespace glark::geometry {
@@ -68,6 +69,7 @@ OutputFile::OutputFile(const fs::path& file) : file_(resolved(file)) {
     descriptor_ = open(file_.parent_path().c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, permissions);
     if (descriptor_ < 0 && (errno == EOPNOTSUPP || errno == EISDIR || errno == EINVAL)) {
       aside_ = name_aside(file_);
+      common::NamedFiles::add(aside_.string());
       descriptor_ = open(aside_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions);
     }
   }
@@ -95,7 +97,9 @@ OutputFile::OutputFile(const fs::path& file, const fs::path& partial, std::uint6
 
 OutputFile::~OutputFile() {
   if (descriptor_ >= 0) close(descriptor_);
-  if (!aside_.empty() && !stays_) unlink(aside_.c_str());
+  if (aside_.empty() || stays_) return;
+  unlink(aside_.c_str());
+  common::NamedFiles::remove(aside_.string());
 }
 
 void OutputFile::fail(const std::string& what) const {
@@ -138,8 +142,11 @@ void OutputFile::prepare() {
   if (aside_.empty()) {
     const fs::path name = name_aside(file_);
     const std::string from = fmt::format("/proc/self/fd/{}", descriptor_);
-    if (linkat(AT_FDCWD, from.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) != 0)
+    common::NamedFiles::add(name.string());
+    if (linkat(AT_FDCWD, from.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) != 0) {
+      common::NamedFiles::remove(name.string());
       fail("cannot be put in its place");
+    }
     aside_ = name;
   }
 }
@@ -148,6 +155,7 @@ void OutputFile::commit() {
   prepare();
   if (direct_) return;
   if (rename(aside_.c_str(), file_.c_str()) != 0) fail("cannot be put in its place");
+  common::NamedFiles::remove(aside_.string());
   aside_.clear();
 }
 
