@@ -98,6 +98,19 @@ class Ranks(unittest.TestCase):
     def test_transfer_to_las(self):
         self.check_transfer(scans.write_las(self.path / "scan.las", scans.bumpy_sphere(POINTS)))
 
+    def test_transfer_with_a_sampling_on_the_disk(self):
+        scan = scans.write_ply(self.path / "scan.ply", scans.bumpy_sphere(POINTS))
+        small, edited = scans.write_ply(self.path / "small.ply", scans.bumpy_sphere(200000)), self.path / "edited.ply"
+        scans.write_bent(small, edited)
+        arguments = ["transfer", scan, "--from", small, "--to", edited, "--json", "-o"]
+        self.one(*arguments, self.path / "wanted.ply")
+        more = [self.path / "out.ply", "--memory", "48MiB", "--threads", 1, "--temporary", self.path]
+        report = json.loads(self.all(2, *arguments, *more).stdout)
+        self.assertGreater(report["cells_on_disk"], 40)
+        self.assertLess(report["peak_memory_bytes"], (48 << 20) + OF_MPI)
+        self.assertTrue((self.path / "out.ply").read_bytes() == (self.path / "wanted.ply").read_bytes())
+        self.require_nothing_left()
+
     def check_sample(self, scan: pathlib.Path, *more, in_core: bool = False, shuffled: bool = False):
         arguments = ["sample", scan, "--memory", "40MiB", "--json", *more]
         wanted = self.path / "wanted.ply"
@@ -133,9 +146,53 @@ class Ranks(unittest.TestCase):
         numpy.savetxt(text, scans.bumpy_sphere(POINTS), "%.6f")
         self.check_sample(text, "--target", TARGET)
 
+    def check_simplify(self, scan: pathlib.Path, *more, in_parts: bool = True, ranks_of_test: tuple = (1, 2, 3)):
+        arguments = ["simplify", scan, "--json", *more]
+        wanted = self.path / "wanted.ply"
+        said = json.loads(self.one(*arguments, "-o", wanted).stdout)
+        for ranks in ranks_of_test:
+            with self.subTest(scan=scan.name, ranks=ranks):
+                output = self.path / f"{ranks}.ply"
+                done = self.all(ranks, *arguments, "-o", output)
+                report = json.loads(done.stdout)
+                self.assertTrue(output.read_bytes() == wanted.read_bytes())
+                self.assertEqual(int(in_parts), done.stderr.count("read in parts, for"), done.stderr)
+                for name in ("input", "output", "method"):
+                    self.assertEqual(said[name], report[name])
+                self.assertEqual(ranks, report["ranks"])
+        self.require_nothing_left()
+
+    def test_simplify_of_meshes(self):
+        small = ["--target", 2000, "--memory", "128MiB"]
+        self.check_simplify(scans.write_wide_mesh(self.path / "mesh.ply", 440), *small)
+        self.check_simplify(scans.write_wide_mesh(self.path / "polygon.ply", 440, polygon=5), *small, ranks_of_test=(2,))
+        self.check_simplify(scans.write_stl(self.path / "mesh.stl", 600), *small)
+        self.check_simplify(scans.write_wide_mesh(self.path / "whole.ply", 40), *small, in_parts=False)
+
+    def test_simplify_of_points(self):
+        raw = scans.write_raw(self.path / "rings.raw", scans.bumpy_sphere(LARGE))
+        self.check_simplify(raw, "--target", TARGET, "--memory", "128MiB")
+        self.check_simplify(scans.write_las(self.path / "scan.las", scans.bumpy_sphere(POINTS)), "--memory", "128MiB")
+
+    def test_errors_of_simplify_leave_the_old_output(self):
+        mesh, output = scans.write_wide_mesh(self.path / "mesh.ply", 440), self.path / "out.ply"
+        arguments = ["simplify", mesh, "-o", output, "--memory", "128MiB", "--target"]
+        output.write_text("old")
+        said = self.all(2, *arguments, 10**7, status=1).stderr
+        self.assertEqual(1, said.count("give so much with --memory, or a smaller target (rank 0 of 2)"), said)
+        self.assertNotEqual(0, self.kill_a_rank(with_ranks(3, *arguments, 2000)))
+        self.assertEqual("old", output.read_text())
+        self.all(2, *arguments, 2000)
+        self.assertNotEqual("old", output.read_bytes()[:3].decode())
+        with open(mesh, "r+b") as file:
+            file.truncate(mesh.stat().st_size - 1000)
+        before = output.read_bytes()
+        self.assertEqual(1, self.all(2, *arguments, 2000, status=1).stderr.count("(rank "))
+        self.assertEqual(before, output.read_bytes())
+
     def test_the_manual_has_every_option(self):
         page = (pathlib.Path(__file__).parents[2] / "docs/man/glark-mpi.1").read_text().replace("\\-", "-")
-        for command in ("sample", "transfer"):
+        for command in ("sample", "transfer", "simplify"):
             said = self.all(2, command, "--help").stdout
             options = re.findall(r"^\s+(?:-\w,)?(--[\w-]+)", said, re.MULTILINE)
             self.assertGreater(len(options), 6)

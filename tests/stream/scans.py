@@ -47,6 +47,39 @@ def write_ply(path: pathlib.Path, points: numpy.ndarray, normals: bool = True, f
     return path
 
 
+def grid(side: int) -> tuple:
+    """A bumpy square: its points [side * side, 3], and the corners [2 (side - 1)^2, 3] of its triangles."""
+    row, column = numpy.divmod(numpy.arange(side * side), side)
+    x, y = row / side, column / side
+    points = numpy.stack([x, y, 0.05 * numpy.sin(20 * x) * numpy.cos(17 * y)], axis=1)
+    begin = (row * side + column).reshape(side, side)[:-1, :-1].ravel()
+    first = numpy.stack([begin, begin + side, begin + 1], axis=1)
+    second = numpy.stack([begin + 1, begin + side, begin + side + 1], axis=1)
+    return points, numpy.concatenate([first, second], axis=1).reshape(-1, 3)
+
+
+def write_wide_mesh(path: pathlib.Path, side: int, polygon: int = 0) -> pathlib.Path:
+    """A grid whose triangles have ten more numbers each, so that the file is large. polygon: more corners of the last face."""
+    points, corners = grid(side)
+    faces = numpy.zeros(len(corners), [("id", "<u4"), ("count", "u1"), ("corners", "<u4", 3), ("more", "<f8", 10)])
+    faces["count"], faces["corners"] = 3, corners
+    header = ["ply", "format binary_little_endian 1.0", f"element vertex {len(points)}"]
+    header += [f"property float {name}" for name in "xyz"]
+    header += [f"element face {len(faces) + (polygon > 0)}", "property uint id", "property list uchar uint vertex_indices"]
+    header += [f"property double more{k}" for k in range(10)] + ["end_header", ""]
+    last = bytes(4) + bytes([polygon]) + numpy.arange(polygon, dtype="<u4").tobytes() + bytes(80)
+    path.write_bytes("\n".join(header).encode() + points.astype("<f4").tobytes() + faces.tobytes() + last * (polygon > 0))
+    return path
+
+
+def write_stl(path: pathlib.Path, side: int) -> pathlib.Path:
+    points, corners = grid(side)
+    triangles = numpy.zeros(len(corners), [("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("more", "<u2")])
+    triangles["normal"], triangles["corners"] = (0, 0, 1), points[corners]
+    path.write_bytes(bytes(80) + numpy.uint32(len(triangles)).tobytes() + triangles.tobytes())
+    return path
+
+
 def write_las(path: pathlib.Path, points: numpy.ndarray, step: float = 1e-6) -> pathlib.Path:
     """LAS 1.2 with records of format 2: colours of 16 bits."""
     row = [("position", "<i4", 3), ("intensity", "<u2"), ("rest", "u1", 6), ("colour", "<u2", 3)]

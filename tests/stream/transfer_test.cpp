@@ -10,63 +10,10 @@
 #include <numeric>
 #include <random>
 
-#include "tests/stream/temporary_folder.h"
+#include "tests/stream/edited_sheets.h"
 
 namespace glark::stream {
 namespace {
-
-using Point = std::array<double, 3>;
-using Edit = std::function<Point(const Point&)>;
-using Transferring = TemporaryFolder;
-
-// Points of a wavy sheet over [0, 10] x [0, 4], `side` of them along the shorter edge.
-AllPoints sheet(std::size_t side) {
-  AllPoints all;
-  const double step = 4.0 / static_cast<double>(side);
-  for (std::size_t i = 0; i < side * side * 5 / 2; ++i) {
-    const std::size_t row = i / side, column = i % side;
-    const double x = (static_cast<double>(row) + 0.5) * step, y = (static_cast<double>(column) + 0.5) * step;
-    const double slope = 0.05 * std::cos(x);
-    const double length = std::hypot(slope, 1);
-    all.positions.insert(all.positions.end(), {x, y, 0.05 * std::sin(x)});
-    all.normals.insert(all.normals.end(), {static_cast<float>(-slope / length), 0, static_cast<float>(1 / length)});
-  }
-  return all;
-}
-
-const Schema plain{Number::float32, true, {}};
-const Schema painted{
-    Number::float32, true, {{"red", Number::uint8}, {"green", Number::uint8}, {"blue", Number::uint8}}};
-
-class Edited : public Transferring {
- protected:
-  void write(const char* name, const AllPoints& all, const Schema& schema) const {
-    const auto writer = create_points(path(name), schema, all.positions.size() / 3);
-    writer->write(all.points());
-    writer->finish();
-  }
-  static AllPoints moved(AllPoints all, const Edit& edit) {
-    for (std::size_t i = 0; i < all.positions.size(); i += 3) {
-      const Point to = edit({all.positions[i], all.positions[i + 1], all.positions[i + 2]});
-      std::copy(to.begin(), to.end(), all.positions.begin() + static_cast<std::ptrdiff_t>(i));
-    }
-    return all;
-  }
-  // Moves the sampling, transfers this, and returns the root mean square distance from the edit of the scan itself.
-  double error_of(const Edit& edit) const {
-    const AllPoints large = sheet(100), small = sheet(18);  // 3 %
-    write("large.ply", large, plain);
-    write("small.ply", small, plain);
-    write("edited.ply", moved(small, edit), plain);
-    transfer(path("large.ply"), path("small.ply"), path("edited.ply"), path("out.ply"));
-    const AllPoints out = read_all(*open_points(path("out.ply"))), wanted = moved(large, edit);
-    double sum = 0;
-    for (std::size_t i = 0; i < wanted.positions.size(); ++i)
-      sum += (out.positions[i] - wanted.positions[i]) * (out.positions[i] - wanted.positions[i]);
-    const std::size_t points = wanted.positions.size() / 3;
-    return std::sqrt(sum / static_cast<double>(points));
-  }
-};
 
 const double diagonal = std::hypot(10, 4);
 
@@ -157,76 +104,6 @@ TEST_F(Edited, TheOrderOfThePointsMakesNoDifference) {
   transfer(path("shuffled.ply"), path("small.ply"), path("edited.ply"), path("shuffled.out.ply"));
   write("expected.ply", shuffled(read_all(*open_points(path("out.ply")))), plain);
   EXPECT_TRUE(bytes_of(path("expected.ply")) == bytes_of(path("shuffled.out.ply")));
-}
-
-// A sampling in memory, and one in cells on the disk, in the order of the sampling or in another one with indices.
-TEST_F(Edited, TheMemoryMakesNoDifference) {
-  const AllPoints large = sheet(150);
-  AllPoints small = sheet(300), other;
-  write("large.ply", large, plain);
-  write("small.ply", small, plain);
-  small = moved(small, [](const Point& p) { return Point{p[0], p[1] + 0.2 * p[2], p[2] + 0.05 * p[0] * p[0]}; });
-  const std::size_t count = small.positions.size() / 3;
-  for (std::size_t i = 0; i < count; ++i)
-    small.channels.insert(small.channels.end(), {20 * small.positions[3 * i], 7, 9});
-  write("edited.ply", small, painted);
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t i = k * 7919 % count;
-    for (std::size_t c = 0; c < 3; ++c) {
-      other.positions.push_back(small.positions[3 * i + c]);
-      other.normals.push_back(small.normals[3 * i + c]);
-      other.channels.push_back(small.channels[3 * i + c]);
-    }
-    other.channels.push_back(static_cast<double>(i));
-  }
-  Schema indexed = painted;
-  indexed.channels.push_back({"index", Number::uint32});
-  write("indexed.ply", other, indexed);
-  const auto done = [&](const char* to, const char* out, std::size_t memory) {
-    TransferOptions options;
-    options.memory = memory;
-    return transfer(path("large.ply"), path("small.ply"), path(to), path(out), options);
-  };
-  EXPECT_EQ(done("edited.ply", "out.ply", std::size_t{1} << 30).cells_on_disk, 0U);
-  const TransferReport report = done("edited.ply", "cells.ply", std::size_t{48} << 20);
-  EXPECT_GT(report.cells_on_disk, 40U);
-  EXPECT_EQ(report.channels.size(), 3U);
-  EXPECT_TRUE(bytes_of(path("out.ply")) == bytes_of(path("cells.ply")));
-  EXPECT_GT(done("indexed.ply", "indexed.out.ply", std::size_t{48} << 20).cells_on_disk, 40U);
-  EXPECT_TRUE(bytes_of(path("out.ply")) == bytes_of(path("indexed.out.ply")));
-}
-
-TEST_F(Edited, SamplingsInCellsAreChecked) {
-  AllPoints small = sheet(300);
-  write("large.ply", sheet(50), plain);
-  write("small.ply", small, plain);
-  TransferOptions options;
-  options.memory = std::size_t{48} << 20;
-  const auto problem = [&](const char* from, const char* to) {
-    return problem_of([&] { transfer(path("large.ply"), path(from), path(to), path("out.ply"), options); });
-  };
-  AllPoints mixed = small;
-  std::mt19937 random(7);  // NOLINT(cert-msc51-cpp): each run is the same
-  for (std::size_t i = 0; i < small.positions.size(); i += 3) {
-    const std::size_t from = 3 * (random() % (small.positions.size() / 3));
-    for (std::size_t k = 0; k < 3; ++k) mixed.positions[i + k] = small.positions[from + k];
-  }
-  write("mixed.ply", mixed, plain);
-  EXPECT_NE(problem("small.ply", "mixed.ply").find("another order"), std::string::npos);
-  AllPoints few = small;
-  few.positions.resize(few.positions.size() - 3);
-  few.normals.resize(few.positions.size());
-  write("few.ply", few, plain);
-  EXPECT_NE(problem("small.ply", "few.ply").find("without adding or removing"), std::string::npos);
-  small.channels.assign(small.positions.size() / 3, 3);
-  write("indexed.ply", small, {Number::float32, true, {{"index", Number::uint32}}});
-  EXPECT_NE(problem("small.ply", "indexed.ply").find("vertex 1 has the index 3"), std::string::npos);
-  small.normals.clear();
-  write("bare.raw", small, {Number::float32, false, {}});
-  EXPECT_NE(problem("bare.raw", "bare.raw").find("raise the memory"), std::string::npos);
-  options.memory = std::size_t{10} << 20;
-  EXPECT_NE(problem("small.ply", "small.ply").find("is the least"), std::string::npos);
-  EXPECT_FALSE(std::filesystem::exists(path("out.ply")));
 }
 
 TEST_F(Edited, ColoursAreAddedAndTrianglesStay) {

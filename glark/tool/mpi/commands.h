@@ -12,6 +12,7 @@
 namespace glark::tool {
 
 void add_sample(CLI::App& app, MpiRanks& ranks);
+void add_simplify(CLI::App& app, MpiRanks& ranks);
 void add_transfer(CLI::App& app, MpiRanks& ranks);
 
 // Adds what the ranks have sent, and the most memory and CPU time of a rank. Rank 0 prints the report.

@@ -20,6 +20,7 @@ int run(tool::MpiRanks& ranks, int argc, char** argv) {
   CLI::App app("glark-mpi: points in files, by several processes", "glark-mpi");
   app.require_subcommand(1);
   tool::add_sample(app, ranks);
+  tool::add_simplify(app, ranks);
   tool::add_transfer(app, ranks);
   try {
     app.parse(argc, argv);

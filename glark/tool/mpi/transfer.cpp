@@ -13,15 +13,20 @@
 namespace glark::tool {
 namespace {
 
-void transfer(MpiRanks& ranks, const TransferCommand& command) {
+struct Transfer : TransferCommand {
+  std::string temporary;
+};
+
+void transfer(MpiRanks& ranks, const Transfer& command) {
   stream::TransferOptions options = command.options;
   const bool is_first = ranks.rank() == 0;
   Progress progress("transferring to " + command.output);
   if (is_first) options.progress = [&](double fraction) { progress.show(fraction); };
   options.work = work_folder(command.output);
   if (options.threads == 0) options.threads = ranks.threads();
-  const stream::TransferReport report =
-      stream::transfer(ranks, {command.input, command.from, command.to, command.output}, options);
+  stream::TransferFiles files{command.input, command.from, command.to, command.output};
+  if (!command.temporary.empty()) files.temporary = command.temporary;
+  const stream::TransferReport report = stream::transfer(ranks, files, options);
   const double seconds = progress.seconds();
   print_of_all(ranks, is_first ? report_of(command, report, seconds) : Report(), command.json);
 }
@@ -30,8 +35,12 @@ void transfer(MpiRanks& ranks, const TransferCommand& command) {
 
 void add_transfer(CLI::App& app, MpiRanks& ranks) {
   CLI::App* command = app.add_subcommand("transfer", "Transfer the edit of a sampling to the scan");
-  const auto edit = std::make_shared<TransferCommand>();
+  const auto edit = std::make_shared<Transfer>();
   describe(*command, *edit);
+  command
+      ->add_option("--temporary", edit->temporary,
+                   "A folder for the temporary files of each rank, best on a disk of its machine; default: that of OUT")
+      ->type_name("FOLDER");
   command->callback([edit, &ranks] { transfer(ranks, *edit); });
 }
 

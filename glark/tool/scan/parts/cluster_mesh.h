@@ -10,11 +10,12 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
-#include <memory>
 #include <vector>
 
 #include "glark/clients/common/workers.h"
 #include "glark/clients/geometry/geometry.h"
+#include "glark/tool/scan/parts/sample_search.h"
+#include "glark/tool/scan/parts/sheets.h"
 #include "glark/tool/scan/parts/vertex_map.h"
 
 namespace glark::tool {
@@ -25,7 +26,6 @@ class ClusterMesh final : public geometry::Visitor {
   // file with 4 bytes for each vertex. cache_bytes: of the part of this file that is kept in memory.
   ClusterMesh(const geometry::Geometry& samples, const std::filesystem::path& folder, std::size_t cache_bytes,
               const common::Workers& workers);
-  ~ClusterMesh() override;
 
   void add_point(const std::array<double, 3>& position, const std::array<float, 3>& normal) override;
   // Throws geometry::Error for a corner that has not been added yet.
@@ -34,28 +34,13 @@ class ClusterMesh final : public geometry::Visitor {
   std::vector<std::uint32_t> take_triangles();
 
  private:
-  using Triangle = std::array<std::uint32_t, 3>;
-  // Triangles with the same corners: how many more have this orientation than the other one.
-  struct Sheet {
-    Triangle corners;
-    std::int32_t count;
-  };
-  struct Vertex {
-    std::array<float, 3> position, normal;  // relative to the samples' origin
-  };
-  struct Tree;
-
-  std::uint32_t sample_of(const Vertex& vertex) const;
   void find_samples();
-  void merge_sheets();
 
-  const geometry::Geometry& samples_;
   const common::Workers& workers_;
-  std::unique_ptr<Tree> tree_;
+  SampleSearch search_;
   VertexMap map_;
-  std::vector<Vertex> pending_;  // vertices whose samples are not known yet
-  std::vector<Sheet> sheets_;
-  std::size_t next_cleaning_;
+  std::vector<MeshVertex> pending_;  // vertices whose samples are not known yet
+  Sheets sheets_;
 };
 
 }  // namespace glark::tool

@@ -5,8 +5,10 @@
 #include <glark/stream.h>
 
 #include <filesystem>
+#include <functional>
 
 #include "glark/clients/stream/ranks/ranks.h"
+#include "glark/clients/stream/sample/in_core.h"
 
 namespace glark::stream {
 
@@ -23,5 +25,16 @@ struct RanksSampleFiles {
 // Returns the report on rank 0; the others know only `points`, `in_core` and `is_shuffled`.
 // Errors: RanksError for those of sample_file(), on all ranks. A former output stays then.
 SampleReport sample_file(Ranks& ranks, const RanksSampleFiles& files, const SampleOptions& options);
+
+// What several ranks sample, and what becomes of the samples.
+struct RanksSampleInput {
+  Source source;
+  std::filesystem::path temporary;  // a folder for temporary files of this rank
+  CreateWriter create;              // makes the writer, on rank 0
+  std::function<void(const SampleReport&)> published = [](const SampleReport&) {};  // is called on rank 0 at the end
+};
+
+// The same as sample(), by several ranks, with the same bits. The writer is made on rank 0. Errors: as sample_file().
+SampleReport sample(Ranks& ranks, const RanksSampleInput& input, const SampleOptions& options);
 
 }  // namespace glark::stream
