@@ -54,8 +54,19 @@ class Stream(unittest.TestCase):
         self.edit()
         report = glark.stream.transfer(self.path("large.ply"), self.path("small.ply"), self.path("edited.ply"),
                                        self.path("out.ply"))
-        self.assertEqual((COUNT, True), (report.points, report.is_deformed))
+        self.assertEqual((COUNT, True, 0), (report.points, report.is_deformed, report.cells_on_disk))
         numpy.testing.assert_allclose(self.points + [0, 0, 2], glark.read(self.path("out.ply")).positions, atol=1e-5)
+
+    def test_a_sampling_larger_than_the_memory(self):
+        points = sphere(300000)
+        glark.write(self.path("many.ply"), points, normals=points)
+        glark.write(self.path("moved.ply"), points * 2, normals=points)
+        files = [self.path(name) for name in ("large.ply", "many.ply", "moved.ply", "out.ply")]
+        report = glark.stream.transfer(*files, memory=48 << 20, threads=2)
+        self.assertGreater(report.cells_on_disk, 50)
+        numpy.testing.assert_allclose(self.points * 2, glark.read(self.path("out.ply")).positions, atol=1e-3)
+        with self.assertRaisesRegex(glark.ArgumentError, "is the least"):
+            glark.stream.transfer(*files, memory=1 << 20)
 
     def test_refine(self):
         self.edit()

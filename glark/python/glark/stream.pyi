@@ -37,6 +37,7 @@ class TransferReport:
     is_deformed: bool
     channels: List[str]
     points_away: int
+    cells_on_disk: int
 
 class RefineReport:
     points_read: int
@@ -46,7 +47,7 @@ class RefineReport:
 def sample(large: Path, small: Path, *, target: int = 0, error: float = ..., memory: int = ..., threads: int = 0,
            skip_invalid: bool = False, work: Path = "", resume: bool = False) -> SampleReport: ...
 def transfer(large: Path, small: Path, edited: Path, output: Path, *, neighbours: int = ..., singular: bool = False,
-             threads: int = 0, work: Path = "", resume: bool = False) -> TransferReport: ...
+             threads: int = 0, work: Path = "", resume: bool = False, memory: int = ...) -> TransferReport: ...
 def refine(large: Path, small: Path, output: Path, *, edited: Path = "", edited_output: Path = "",
            box: Optional[Tuple[Sequence[float], Sequence[float]]] = None,
            sphere: Optional[Tuple[Sequence[float], float]] = None, channel: str = "", target: int = 0, error: float = ...,
