@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """Measures glark-mpi with 1, 2 and 4 ranks, and compares the model of docs/reference/cluster.md with it.
 
-measure_ranks.py GLARK_SCAN GLARK_MPI [--points N] [--runs R] [--folder DIR]
+measure_ranks.py GLARK_SCAN GLARK_MPI [--points N] [--side N] [--only-mesh] [--runs R] [--folder DIR]
 Prints the tables of the page: strong and weak scaling, the model beside the measured runs, and the model for 1000 ranks
 and a trillion points. Seconds are the least of R runs. CPU seconds say more where other programs use the machine, too.
 """
@@ -51,7 +51,7 @@ def measured(ranks: int, *arguments) -> dict:
 
 def cells_of(index: pathlib.Path) -> list:
     """Count, first and last point of each cell of a sampling."""
-    rows = [line.split() for line in index.read_text().splitlines()[2:]]
+    rows = [line.split() for line in index.read_text().splitlines()[2:] if not line.startswith("checksum")]
     return [(int(row[4]), int(row[5]), int(row[6])) for row in rows]
 
 
@@ -178,11 +178,27 @@ def weak_scaling(scans_of: dict, busiest: dict):
     table("Weak scaling", ["command", "ranks", "points", *SECONDS], rows)
 
 
+def mesh_scaling(folder: pathlib.Path):
+    """simplify of a mesh with side x side vertices."""
+    mesh = scans.write_wide_mesh(folder / "mesh.ply", OPTIONS.side)
+    command = ["simplify", mesh, "-o", folder / "simple.ply", "--target", TARGET, "--memory", "256MiB"]
+    rows = []
+    for ranks in (1, 2, 4):
+        report = measured(ranks, *command)
+        rows.append(["simplify", ranks, *seconds_of(report), f"{report['peak_memory_bytes'] / 2**20:.0f}",
+                     report["bytes_sent"], report["messages_sent"]])
+    table(f"Simplify: {OPTIONS.side ** 2} vertices, {2 * (OPTIONS.side - 1) ** 2} triangles",
+          ["command", "ranks", *SECONDS, "MiB of the largest rank", "bytes sent", "messages"], rows)
+
+
 COMMANDS = [("transfer", False, sampling_of), ("sample", False, sample_of), ("transfer, shuffled", True, sampling_of),
             ("sample, shuffled", True, sample_of)]
 
 
 def main(folder: pathlib.Path):
+    mesh_scaling(folder)
+    if OPTIONS.only_mesh:
+        return
     scans_of, costs, busiest = {}, {}, {}
     for shuffled in (False, True):
         for points in (OPTIONS.points // 4, OPTIONS.points // 2, OPTIONS.points):
@@ -202,6 +218,8 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser()
     parser.add_argument("programs", nargs=2)
     parser.add_argument("--points", type=int, default=4000000)
+    parser.add_argument("--side", type=int, default=1000)
+    parser.add_argument("--only-mesh", action="store_true")
     parser.add_argument("--runs", type=int, default=3)
     parser.add_argument("--folder", default=None)
     OPTIONS = parser.parse_args()
