@@ -107,7 +107,7 @@ class CellReader {
       }
     });
     std::unique_ptr<SampleCells> cells = builder.finish();
-    trim_memory(plan.process);
+    trim_memory(0);
     return cells;
   }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "glark/clients/stream/files/trim_memory.h"
+
 namespace glark::stream {
 
 using common::Vector3f;
@@ -62,6 +64,7 @@ void SamplesInCells::set_turned_normals(const common::Workers& workers, const Tu
     file_->write_turned_normals(number, turned(*cell, found));
   });
   cache_.clear();
+  trim_memory(0);
 }
 
 }  // namespace glark::stream
