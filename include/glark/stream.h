@@ -78,7 +78,7 @@ struct TransferOptions {
   std::filesystem::path work = {};  // as SampleOptions; it must be on the file system of the output
   bool resume = false;
   Progress progress = {};
-  // Bytes for all, 40 MiB or more. A sampling that does not fit lies in a temporary file in the folder of the output; the
+  // Bytes for all, at least 36 MiB and 4 for each thread. A sampling that does not fit lies in a temporary file in the folder of the output; the
   // cells of it that are used are in memory. The result does not depend on it.
   std::size_t memory = std::size_t{256} << 20;
 };

@@ -25,7 +25,7 @@ except ImportError:
     print("numpy is missing: skipped")
     sys.exit(0)
 
-from scans import bumpy_sphere, write_las  # noqa: E402
+from scans import bumpy_sphere, write_las, write_ply  # noqa: E402
 
 PROGRAM, KILLS = "", 2
 MIB = 1 << 20
@@ -366,6 +366,29 @@ class Commands(unittest.TestCase):
         if result.returncode == 77 or "unshare failed" in result.stderr or "Operation not permitted" in result.stderr:
             self.skipTest("the system lets no user mount a file system: " + result.stderr.strip())
         self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("make room on the disk", result.stderr)
+
+    def test_a_full_disk_for_the_cells_is_said(self):
+        large = write_ply(self.path / "large.ply", bumpy_sphere(30000))
+        small = write_ply(self.path / "small.ply", bumpy_sphere(400000))
+        disk = self.path / "disk"
+        disk.mkdir()
+        command = f"{PROGRAM} transfer {large} --from {small} --to {small} --memory 48MiB --threads 2 -o {disk}/out.ply"
+        script = f"""mount -t tmpfs -o size=9m none {disk} || exit 77
+            echo old > {disk}/out.ply
+            {command} && exit 1
+            grep -q old {disk}/out.ply || exit 2
+            test "$(ls -A {disk})" = out.ply || exit 3
+            mount -o remount,size=99m {disk} || exit 77
+            {command} || exit 4"""
+        if shutil.which("unshare") is None:
+            self.skipTest("unshare is missing")
+        result = subprocess.run(["unshare", "--user", "--map-root-user", "--mount", "sh", "-c", script],
+                                capture_output=True, text=True, check=False)
+        if result.returncode == 77 or "unshare failed" in result.stderr or "Operation not permitted" in result.stderr:
+            self.skipTest("the system lets no user mount a file system: " + result.stderr.strip())
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("a temporary file cannot be written", result.stderr)
         self.assertIn("make room on the disk", result.stderr)
 
     def test_regions_are_explained(self):

@@ -20,11 +20,13 @@ struct Result {
 
   bool full() const { return set.full(); }
   std::size_t size() const { return 0; }
+  // NOLINTBEGIN(readability-identifier-naming): nanoflann calls these
   float worstDist() const { return set.worst(); }
   bool addPoint(float square, std::uint32_t place) {
     set.add(entry(square, place));
     return true;
   }
+  // NOLINTEND(readability-identifier-naming)
   void sort() {}  // newer versions of nanoflann ask for it; the set is sorted
 };
 
