@@ -74,8 +74,8 @@ void NearSamples::sort_like_keys(const std::array<float, most>& squares, std::si
 // nearest samples of the centre, and those of the last point, are near the point, too.
 bool NearSamples::choose(const Vector3f& point) {
   if (covered_ < 0) return false;
-  const float away = common::length(point - centre_);
-  const float bound = std::min(farthest_ + away, last_farthest_ + common::length(point - last_point_)) * wider;
+  const float moved = common::length(point - centre_);
+  const float bound = std::min(farthest_ + moved, last_farthest_ + common::length(point - last_point_)) * wider;
   const float square = bound * bound + std::numeric_limits<float>::min();
   std::array<float, most> squares;
   const std::size_t size = samples().size();
