@@ -135,7 +135,9 @@ void bind_arrays(py::class_<Baked>& type) {
           "(vertices, 3) float32, of unit length")
       .def_property_readonly(
           "tangents", [](const py::object& s) { return view(s.cast<Baked&>().tangents, 4, s); },
-          "(vertices, 4) float32: the direction of the first texture coordinate, and 1")
+          "(vertices, 4) float32: the direction of the first texture coordinate, and 1; -1 where the mesh's own "
+          "coordinates "
+          "are mirrored")
       .def_property_readonly(
           "texcoords", [](const py::object& s) { return view(s.cast<Baked&>().texcoords, 2, s); },
           "(vertices, 2) float32, 0 to 1; the first row of a map is at t = 0")
@@ -165,13 +167,23 @@ void bind_model(py::module_& module) {
       .def_readonly("points", &Baked::points, "the number of points that were read")
       .def_readonly("left_out", &Baked::left_out, "points beyond the reach, or facing away from the mesh")
       .def_readonly("invalid", &Baked::invalid, "points that are not finite")
-      .def_readonly("charts", &Baked::charts, "the number of charts")
+      .def_readonly("has_own_texcoords", &Baked::has_own_texcoords,
+                    "whether the texture coordinates are those of the coarse mesh; then the vertices are in its order")
+      .def_readonly("texcoords_fault", &Baked::texcoords_fault, "why they are not; empty: they are, or were not to be")
+      .def_readonly("charts", &Baked::charts, "the number of charts or islands")
       .def_readonly("empty_charts", &Baked::empty_charts, "charts without any point; they stay flat")
       .def_readonly("texels", &Baked::texels, "texels of charts")
       .def_readonly("filled", &Baked::filled, "texels that got their values by diffusion")
       .def_readonly("reach", &Baked::reach, "the reach that was used")
       .def_readonly("seams", &Baked::seams, "the differences along the seams of charts, in the first mipmap level")
       .def_readonly("mip_seams", &Baked::mip_seams, "a list: in the second mipmap level and the third one");
+}
+
+maps::Texcoords texcoords_of(const std::string& word) {
+  if (word == "auto") return maps::Texcoords::automatic;
+  if (word == "own") return maps::Texcoords::own;
+  if (word == "charts") return maps::Texcoords::charts;
+  throw ArgumentError(fmt::format("glark: texture_coordinates is \"{}\"; give \"auto\", \"own\" or \"charts\"", word));
 }
 
 void bind_bake(py::module_& module) {
@@ -181,12 +193,18 @@ void bind_bake(py::module_& module) {
       [](const Array<float>& positions, const Array<std::uint32_t>& triangles, const py::object& source,
          const OptionalArray<float>& normals, const std::array<double, 3>& origin, const std::string& format,
          const Whole<std::size_t>& texture_memory, const Whole<unsigned>& most_side, double noise,
-         double texels_per_point, double reach, bool skip_invalid, const Whole<unsigned>& threads) {
+         double texels_per_point, double reach, bool skip_invalid, const Whole<unsigned>& threads,
+         const OptionalArray<float>& texcoords, const std::string& texture_coordinates,
+         const std::array<unsigned, 2>& size) {
         const maps::CoarseMesh mesh{.origin = origin,
                                     .positions = rows(positions, 3, "positions"),
                                     .normals = rows(normals, 3, "normals"),
-                                    .triangles = rows(triangles, 3, "triangles")};
+                                    .triangles = rows(triangles, 3, "triangles"),
+                                    .texcoords = rows(texcoords, 2, "texcoords")};
         maps::BakeOptions options;
+        options.texcoords = texcoords_of(texture_coordinates);
+        options.width = size[0];
+        options.height = size[1];
         options.texture_memory = texture_memory.checked("texture_memory");
         options.most_side = most_side.checked("most_side");
         options.noise = noise;
@@ -203,6 +221,8 @@ void bind_bake(py::module_& module) {
       py::arg("texture_memory") = defaults.texture_memory, py::arg("most_side") = defaults.most_side,
       py::arg("noise") = defaults.noise, py::arg("texels_per_point") = defaults.texels_per_point,
       py::arg("reach") = defaults.reach, py::arg("skip_invalid") = false, py::arg("threads") = 0,
+      py::arg("texcoords") = py::none(), py::arg("texture_coordinates") = "auto",
+      py::arg("size") = std::array<unsigned, 2>{},
       "Bake the appearance of `source` into a normal map, a colour map and a displacement map of a coarse mesh.\n\n"
       "positions: (vertices, 3). triangles: (triangles, 3), counter-clockwise from outside. normals: (vertices, 3); "
       "by\n"
@@ -210,7 +230,11 @@ void bind_bake(py::module_& module) {
       "source: the name of a scan of any size, in `format` or that of the name; or a FineMesh.\n"
       "texture_memory: bytes of all maps with their mipmaps. most_side: the greatest width and height.\n"
       "noise: the root mean square noise of the points; texels are 3.5 times as wide or more.\n"
-      "reach: points farther from the mesh are left out; 0: by the distances of the points.");
+      "reach: points farther from the mesh are left out; 0: by the distances of the points.\n"
+      "texcoords: (vertices, 2), of the coarse mesh; (0, 0) is the lower left texel. texture_coordinates: \"own\" "
+      "keeps\n"
+      "them, \"charts\" makes new ones, \"auto\" keeps them if each triangle has a place of its own within 0 to 1.\n"
+      "size: width and height of the maps, powers of two; (0, 0): by the number of points.");
 }
 
 }  // namespace

@@ -45,6 +45,7 @@ struct CoarseMesh {
   std::span<const float> positions = {};          // [3 * vertices]
   std::span<const float> normals = {};            // [3 * vertices], of any length; empty: those of the triangles
   std::span<const std::uint32_t> triangles = {};  // [3 * triangles], counter-clockwise from outside
+  std::span<const float> texcoords = {};  // [2 * vertices], or empty: there are none; the lower left texel is at 0 0
 };
 
 // A picture of colours, as they are shown. The caller owns the pixels.
@@ -86,9 +87,22 @@ struct FineMesh {
 // that is not above zero, for arrays that do not fit together.
 GLARK_EXPORT stream::Source mesh_source(const FineMesh& mesh, double spacing);
 
+// Whose texture coordinates the model has. Those of the coarse mesh are usable if each triangle has a place of its own in
+// the texture: all coordinates are within 0 to 1, triangles of at most 0.1 % of the surface have no area there, and at most
+// 0.2 % of the area is covered more than once.
+enum class Texcoords : std::uint8_t {
+  automatic,  // those of the coarse mesh if they are usable, or else those of charts
+  own,        // those of the coarse mesh; Error if they are not usable
+  charts,     // those of charts, which are made for the maps
+};
+
 struct BakeOptions {
   std::size_t texture_memory = std::size_t{128} << 20;  // bytes, of all maps with their mipmap levels; 1 MiB or more
   unsigned most_side = 16384;                           // the greatest width and height of the maps, 64 to 32768
+  // The width and height of the maps, powers of two from 64 to 32768, in place of `texture_memory` and `most_side`. 0: by
+  // the number of points.
+  unsigned width = 0, height = 0;
+  Texcoords texcoords = Texcoords::automatic;
   // The root mean square noise of the points, in their unit. A texel is at least 3.5 times as wide, so that points of
   // several layers are averaged; 0: points are exact.
   double noise = 0;
@@ -107,7 +121,7 @@ struct Jump {
   float greatest = 0, root_mean_square = 0;
 };
 
-// The differences of the two sides along the edges where two charts of the maps meet, as a shader sees them: bilinear
+// The differences of the two sides along the edges where two places of the maps meet, as a shader sees them: bilinear
 // filtering of one mipmap level, two places a texel.
 struct SeamJumps {
   Jump colour;            // of the channel that differs most, 0 to 1
@@ -119,11 +133,17 @@ struct SeamJumps {
 struct Baked {
   std::array<double, 3> origin{};
   std::vector<float> positions, normals;  // [3 * vertices]; normals have unit length
-  std::vector<float> tangents;            // [4 * vertices]: the direction of the first texture coordinate, and 1
-  std::vector<float> texcoords;           // [2 * vertices], 0 to 1; the first row of a map is at t = 0
-  std::vector<std::uint32_t> triangles;   // [3 * triangles], in the order of the coarse mesh
-  unsigned width = 0, height = 0;         // of all maps; powers of two
-  // [3 * width * height], in tangent space: x along the tangent, y along cross(normal, tangent), z along the normal.
+  // [4 * vertices]: the direction of the first texture coordinate, and 1; -1 where the mesh's own coordinates are mirrored
+  std::vector<float> tangents;
+  std::vector<float> texcoords;          // [2 * vertices], 0 to 1; the first row of a map is at t = 0
+  std::vector<std::uint32_t> triangles;  // [3 * triangles], in the order of the coarse mesh
+  unsigned width = 0, height = 0;        // of all maps; powers of two
+  // Whether the texture coordinates are those of the coarse mesh. Then the vertices are those of the coarse mesh, in their
+  // order, and copies of some of them after these.
+  bool has_own_texcoords = false;
+  std::string texcoords_fault;  // why they are not; empty: they are, or were not to be
+  // [3 * width * height], in tangent space: x along the tangent, y along cross(normal, tangent) times the tangent's fourth
+  // number, z along the normal.
   std::vector<std::uint8_t> normal_map;
   std::vector<std::uint8_t> colour_map;         // [3 * width * height], red green blue; empty without colours
   std::vector<std::uint16_t> displacement_map;  // [width * height]
@@ -132,7 +152,7 @@ struct Baked {
   std::uint64_t points = 0;                  // that were read
   std::uint64_t left_out = 0;                // points that are beyond the reach, or face away from all triangles nearby
   std::uint64_t invalid = 0;                 // points whose coordinates are not finite
-  std::size_t charts = 0, empty_charts = 0;  // charts, and those without any point
+  std::size_t charts = 0, empty_charts = 0;  // charts or islands, and those without any point
   std::uint64_t texels = 0, filled = 0;      // texels of charts, and those that got their values by diffusion
   double reach = 0;                          // the reach that was used
   double density = 1;                        // of texels, relative to what the options ask for without limits of size
@@ -143,8 +163,8 @@ struct Baked {
 // Bakes the maps of a coarse mesh. The source is read twice: first one point of several, which tell how many texels each
 // chart needs, then all points. Colours are the channels red, green and blue.
 // Errors: Error for arrays that do not fit together, a triangle with a vertex that does not exist, a number that is not
-// finite, no triangles, no point near the mesh, options out of range, and a texture memory that is too small for the
-// number of charts. stream::Error for a source that cannot be read.
+// finite, no triangles, no point near the mesh, options out of range, texture coordinates that are to be kept and cannot,
+// and a texture memory that is too small for the number of charts. stream::Error for a source that cannot be read.
 GLARK_EXPORT Baked bake(const CoarseMesh& mesh, const stream::Source& points, const BakeOptions& options = {});
 
 // Writes a binary glTF file with the normal map and the colour map in it, and the displacement map beside it, as a PNG of

@@ -28,7 +28,7 @@ class MapsInC : public TemporaryFolder {
 
   const std::vector<float> points_ = sphere(3000);
   const std::vector<std::uint8_t> colours_ = std::vector<std::uint8_t>(points_.size(), 90);
-  const glark_maps_coarse_mesh mesh_{{1, 0, 0}, array(octahedron), {}, array(octahedron_triangles)};
+  const glark_maps_coarse_mesh mesh_{{1, 0, 0}, array(octahedron), {}, array(octahedron_triangles), {}};
   const glark_maps_fine_mesh fine_{{1, 0, 0}, array(points_), array(points_), {colours_.data(), colours_.size()}, {}};
   const maps::CoarseMesh cpp_mesh_{
       .origin = {1, 0, 0}, .positions = octahedron, .normals = {}, .triangles = octahedron_triangles};
@@ -87,6 +87,38 @@ TEST_F(MapsInC, NumbersAreThoseOfCpp) {
   glark_maps_model_free(model_);
 }
 
+// Each triangle of the octahedron has its own corner of the texture.
+TEST_F(MapsInC, TextureCoordinatesOfTheMeshAreKept) {
+  std::vector<float> positions, texcoords;
+  std::vector<std::uint32_t> triangles;
+  for (std::uint32_t i = 0; i < octahedron_triangles.size(); ++i) {
+    const float* const p = &octahedron[3 * std::size_t{octahedron_triangles[i]}];
+    positions.insert(positions.end(), {p[0], p[1], p[2]});
+    const std::uint32_t t = i / 3;
+    texcoords.push_back((static_cast<float>(t % 4) + (i % 3 == 1 ? 0.9F : 0.2F)) / 4);
+    texcoords.push_back((static_cast<float>(t / 4) + (i % 3 == 2 ? 0.9F : 0.2F)) / 2);
+    triangles.push_back(i);
+  }
+  const glark_maps_coarse_mesh mesh{{1, 0, 0}, array(positions), {}, array(triangles), array(texcoords)};
+  options_.width = 128;
+  options_.height = 64;
+  options_.texcoords = GLARK_MAPS_TEXCOORDS_OWN;
+  ASSERT_EQ(GLARK_SUCCESS, glark_maps_bake_mesh(&mesh, &fine_, 1, &options_, &model_, &error_)) << error_.message;
+  EXPECT_TRUE(glark_maps_has_own_texcoords(model_));
+  EXPECT_EQ(triangles, copy(glark_maps_triangles(model_)));
+  EXPECT_EQ(texcoords[0], glark_maps_texcoords(model_).data[0]);
+  EXPECT_EQ(128u, glark_maps_model_frame(model_).width);
+  EXPECT_EQ(64u, glark_maps_model_frame(model_).height);
+  glark_maps_model_free(model_);
+  EXPECT_EQ(GLARK_BAD_ARGUMENT, glark_maps_bake_mesh(&mesh_, &fine_, 1, &options_, &model_, &error_));
+  EXPECT_EQ(GLARK_MAPS_ARRAY, error_.element);
+  EXPECT_TRUE(contains(error_, "it has no texture coordinates")) << error_.message;
+  options_.texcoords = GLARK_MAPS_TEXCOORDS_AUTOMATIC;
+  ASSERT_EQ(GLARK_SUCCESS, glark_maps_bake_mesh(&mesh_, &fine_, 1, &options_, &model_, &error_)) << error_.message;
+  EXPECT_FALSE(glark_maps_has_own_texcoords(model_));
+  glark_maps_model_free(model_);
+}
+
 TEST_F(MapsInC, WritesBothFiles) {
   ASSERT_EQ(GLARK_SUCCESS, glark_maps_bake_mesh(&mesh_, &fine_, 1, &options_, &model_, &error_)) << error_.message;
   EXPECT_EQ(GLARK_SUCCESS, glark_maps_write_model(file("a.glb").c_str(), model_, &error_)) << error_.message;
@@ -106,7 +138,7 @@ TEST_F(MapsInC, ErrorsNameTheElement) {
   EXPECT_TRUE(contains(error_, "glark-maps: the option reach is -1")) << error_.message;
   std::vector<std::uint32_t> triangles = octahedron_triangles;
   triangles[3 * 5] = 99;
-  const glark_maps_coarse_mesh wrong{{}, array(octahedron), {}, array(triangles)};
+  const glark_maps_coarse_mesh wrong{{}, array(octahedron), {}, array(triangles), {}};
   EXPECT_EQ(GLARK_BAD_ARGUMENT, glark_maps_bake_mesh(&wrong, &fine_, 1, nullptr, &model_, &error_));
   EXPECT_EQ(GLARK_MAPS_TRIANGLE, error_.element) << error_.message;
   EXPECT_EQ(5u, error_.index);
@@ -154,6 +186,7 @@ TEST(MapsNullInC, ANullModelHasNothing) {
   EXPECT_EQ(0u, glark_maps_model_frame(nullptr).width);
   EXPECT_EQ(0u, glark_maps_model_counts(nullptr).charts);
   EXPECT_EQ(0u, glark_maps_model_seams(nullptr).edges);
+  EXPECT_FALSE(glark_maps_has_own_texcoords(nullptr));
   glark_maps_model_free(nullptr);
 }
 

@@ -152,8 +152,8 @@ TEST(Pack, DensityFollowsTheNumberOfPoints) {
   const Atlas even = pack(charts, surface, wanted, {.most_texels = 1U << 24U, .most_side = 4096});
   wanted[0] *= 4;
   const Atlas uneven = pack(charts, surface, wanted, {.most_texels = 1U << 24U, .most_side = 4096});
-  EXPECT_NEAR(uneven.places[0].density / even.places[0].density, 2, 1e-3F);
-  EXPECT_NEAR(uneven.places[1].density / even.places[1].density, 1, 1e-3F);
+  EXPECT_NEAR(uneven.places[0].density[0] / even.places[0].density[0], 2, 1e-3F);
+  EXPECT_NEAR(uneven.places[1].density[0] / even.places[1].density[0], 1, 1e-3F);
 }
 
 TEST(Shell, FootOfADisplacedPointIsWhereItCameFrom) {

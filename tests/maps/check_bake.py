@@ -140,8 +140,73 @@ class Bake(CommandCase):
         (self.path / "coarse.obj").write_text("\n".join(lines))
         done = self.glark("bake", self.bumpy(), "-o", "out.glb", "--mesh", "coarse.obj", "--texture-memory", "1MB",
                           "--texels-per-point", "64")
-        self.assertIn("its texture coordinates are replaced", done.stderr)
+        self.assertIn("coarse.obj: new texture coordinates replace its own, because its texture coordinates go from -1 to 1, "
+                      "beyond 0 to 1", done.stderr)
         self.assertRegex(done.stderr, "the maps have 0.* of the texels")
+
+    def box(self, name, overlap=False):
+        """A sphere of six faces in OBJ. Each face is an island, three beside each other in two rows."""
+        parts, places, corners, faces = 6, [], [], []
+        for face in range(6):
+            first = len(places) + 1
+            for row in range(parts + 1):
+                for column in range(parts + 1):
+                    u, v = column / parts, row / parts
+                    p = [0.0] * 3
+                    p[face % 3] = 1 if face < 3 else -1
+                    p[(face + 1) % 3] = 2 * (u if face < 3 else v) - 1
+                    p[(face + 2) % 3] = 2 * (v if face < 3 else u) - 1
+                    length = math.hypot(*sorted(map(abs, p)))
+                    places.append("v " + " ".join(f"{c / length:.7f}" for c in p))
+                    cell = 0 if overlap else face
+                    corners.append(f"vt {(cell % 3 + 0.05 + 0.9 * u) / 3:.7f} {(cell // 3 + 0.05 + 0.9 * v) / 2:.7f}")
+            for row in range(parts):
+                for column in range(parts):
+                    a = first + row * (parts + 1) + column
+                    square = (a, a + 1, a + parts + 2, a + parts + 1)
+                    faces.append("f " + " ".join(f"{i}/{i}" for i in square))
+        (self.path / name).write_text("\n".join(places + corners + faces) + "\n")
+        return name
+
+    def test_texture_coordinates_of_the_mesh_are_kept(self):
+        done = self.glark("bake", self.bumpy(), "-o", "model.glb", "--mesh", self.box("box.obj"), "--json", "--size", "256")
+        self.assertEqual("", done.stderr)
+        report = json.loads(done.stdout)
+        self.assertTrue(report["own_texture_coordinates"])
+        self.assertEqual([256, 256, 6], [report[name] for name in ("width", "height", "charts")])
+        self.assertLess(report["largest_seam_normal_degrees"], 1.5)
+        self.glark("simplify", "model.glb", "-o", "back.obj", "--target", "100000")
+        wanted = {line for line in (self.path / "box.obj").read_text().split("\n") if line.startswith("vt")}
+        kept = [tuple(map(float, line.split()[1:])) for line in (self.path / "back.obj").read_text().split("\n")
+                if line.startswith("vt")]
+        wanted = {tuple(map(float, line.split()[1:])) for line in wanted}
+        self.assertTrue(all(any(abs(s - x) + abs(t - y) < 1e-5 for x, y in wanted) for s, t in kept))
+        report = self.report("bake", self.bumpy(), "-o", "charts.glb", "--mesh", "box.obj", "--texture-coordinates", "charts",
+                             "--size", "512x256")
+        self.assertFalse(report["own_texture_coordinates"])
+        self.assertEqual([512, 256], [report[name] for name in ("width", "height")])
+
+    def test_texture_coordinates_that_cannot_be_kept(self):
+        keep = ("--texture-coordinates", "own")
+        shared = self.box("shared.obj", overlap=True)
+        points, triangles = sphere(10)
+        cases = [
+            (1, ("--mesh", shared, *keep), "cannot keep its texture coordinates: 83.3 % of the area"),
+            (1, ("--mesh", write_ply(self.path / "plain.ply", points, triangles), *keep), "it has no texture coordinates"),
+            (2, keep, "--texture-coordinates requires --mesh"),
+            (2, ("--mesh", shared, "--texture-coordinates", "mine"), '"mine" is not one of auto, own, charts'),
+            (2, ("--size", "1000"), '"1000" is not a power of two from 64 to 16384'),
+            (2, ("--size", "512x"), "is not a power of two"),
+            (2, ("--size", "32768"), "is not a power of two"),
+            (2, ("--size", "512", "--texture-memory", "8MB"), "excludes --"),
+        ]
+        for status, arguments, words in cases:
+            done = self.glark("bake", self.bumpy(), "-o", "out.glb", *arguments, status=status)
+            self.assertIn(words, done.stderr, arguments)
+            self.assertEqual(1, len(done.stderr.strip().split("\n")), done.stderr)
+            self.assert_nothing_written()
+        done = self.glark("bake", self.bumpy(), "-o", "model.glb", "--mesh", shared)
+        self.assertRegex(done.stderr, "shared.obj: new texture coordinates replace its own, because 83.3 %")
 
     def test_the_displacement_of_another_model_is_not_taken(self):
         for name, height in (("a", 1.0), ("b", 1.5)):

@@ -38,7 +38,8 @@ class SeenModel {
     }
     normal = common::unit(normal);
     tangent = common::unit(tangent);
-    const Vector bitangent = common::unit(common::cross(normal, tangent));
+    const double turn = static_cast<double>(model_.tangents[4 * std::size_t{model_.triangles[3 * triangle]} + 3]);
+    const Vector bitangent = common::unit(common::cross(normal, tangent)) * turn;
     const auto map = [&](const auto& texels, std::size_t channels, std::size_t channel) {
       return filtered(texcoord, [&](std::size_t i) { return static_cast<double>(texels[channels * i + channel]); });
     };

@@ -76,6 +76,27 @@ class Maps(unittest.TestCase):
         one, other = (glark.maps.bake(OCTAHEDRON, TRIANGLES, source, **SMALL) for source in (fine, same))
         numpy.testing.assert_array_equal(one.displacement_map, other.displacement_map)
 
+    def test_texture_coordinates_of_the_mesh(self):
+        corners = OCTAHEDRON[TRIANGLES].reshape(-1, 3)
+        triangles = numpy.arange(24).reshape(8, 3)
+        places = numpy.array([[.2, .2], [.9, .2], [.2, .9]])
+        texcoords = numpy.concatenate([(places + [t % 4, t // 4]) / [4, 2] for t in range(8)])
+        model = glark.maps.bake(corners, triangles, self.fine, texcoords=texcoords, size=(128, 64))
+        self.assertTrue(model.has_own_texcoords)
+        self.assertEqual("", model.texcoords_fault)
+        self.assertEqual((64, 128), model.displacement_map.shape)
+        numpy.testing.assert_array_equal(triangles, model.triangles)
+        numpy.testing.assert_allclose(texcoords * [1, -1] + [0, 1], model.texcoords, atol=1e-6)
+        model = glark.maps.bake(corners, triangles, self.fine, texcoords=texcoords + .5, **SMALL)
+        self.assertFalse(model.has_own_texcoords)
+        self.assertIn("beyond 0 to 1", model.texcoords_fault)
+        for options, text in (({"texture_coordinates": "own"}, "it has no texture coordinates"),
+                              ({"texture_coordinates": "mine"}, 'texture_coordinates is "mine"'),
+                              ({"size": (100, 64)}, "width, height is 100 x 64"),
+                              ({"texcoords": texcoords[:, :1]}, "texcoords has the shape")):
+            with self.assertRaisesRegex(glark.ArgumentError, text):
+                glark.maps.bake(corners, triangles, self.fine, **options)
+
     def test_write_model(self):
         model = glark.maps.bake(OCTAHEDRON, TRIANGLES, self.fine, **SMALL)
         glark.maps.write_model(self.path("a.glb"), model)

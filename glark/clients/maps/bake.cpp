@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <numeric>
 
 #include "glark/clients/maps/atlas/atlas.h"
+#include "glark/clients/maps/charts/islands.h"
 #include "glark/clients/maps/charts/segmentation.h"
 #include "glark/clients/maps/fill/diffusion.h"
 #include "glark/clients/maps/output/assembly.h"
@@ -34,8 +36,10 @@ class Baker {
         options_(options),
         workers_(options.threads),
         origin_(mesh.origin),
-        surface_(surface_of(mesh)),
-        charts_(segment(surface_)) {}
+        texcoords_(mesh.texcoords),
+        surface_(surface_of(mesh)) {
+    find_charts();
+  }
 
   Baked bake() {
     report(0);
@@ -47,11 +51,11 @@ class Baker {
     report(after_points);
     fill();
     report(after_filling);
-    equalise_seams(surface_, charts_, atlas_, channels_, maps_);
-    report(after_seams);
     model_.origin = origin_;
-    model_.charts = charts_.size();
-    assemble({surface_, charts_, atlas_, maps_, channels_}, workers_, model_);
+    if (model_.has_own_texcoords)
+      assemble_islands();
+    else
+      assemble_charts();
     const std::vector<SeamJumps> jumps = check_seams(surface_, charts_, model_, kept_levels);
     model_.seams = jumps.front();
     model_.mip_seams.assign(jumps.begin() + 1, jumps.end());
@@ -61,6 +65,34 @@ class Baker {
   }
 
  private:
+  void find_charts() {
+    if (options_.texcoords != Texcoords::charts) {
+      model_.texcoords_fault = fault_of_texcoords(surface_);
+      model_.has_own_texcoords = model_.texcoords_fault.empty();
+      if (options_.texcoords == Texcoords::own && !model_.has_own_texcoords)
+        throw Error(
+            Element::array, 0,
+            fmt::format("the coarse mesh cannot keep its texture coordinates: {}; let new ones be made, or give a "
+                        "mesh whose triangles each have a place of their own in the texture",
+                        model_.texcoords_fault));
+    }
+    charts_ = model_.has_own_texcoords ? islands_of(surface_) : segment(surface_);
+    model_.charts = charts_.size();
+  }
+
+  void assemble_charts() {
+    equalise_seams(surface_, charts_, atlas_, channels_, maps_);
+    report(after_seams);
+    assemble({surface_, charts_, atlas_, maps_, channels_}, workers_, model_);
+  }
+
+  void assemble_islands() {
+    WholeMap whole = join_maps(charts_, surface_, atlas_, channels_, maps_);
+    equalise_seams(surface_, charts_, atlas_, channels_, whole);
+    report(after_seams);
+    assemble(surface_, texcoords_, charts_, whole, channels_, model_);
+  }
+
   void report(double fraction) const {
     if (options_.progress) options_.progress(fraction);
   }
@@ -109,13 +141,30 @@ class Baker {
     // A normal and a colour have three bytes, a height two. The mipmap levels are a third of the first one.
     const std::uint64_t bytes = channels_ == channels_with_colour ? 8 : 5;
     constexpr double texel_of_noise = 3.5;
-    atlas_ = pack(charts_, surface_, wanted,
-                  {.most_texels = options_.texture_memory / bytes * 3 / 4,
-                   .most_side = options_.most_side,
-                   .most_density = options_.noise > 0 ? 1 / (texel_of_noise * options_.noise * surface_.scale) : 0});
+    const AtlasLimits limits{
+        .width = options_.width,
+        .height = options_.height,
+        .most_texels = options_.texture_memory / bytes * 3 / 4,
+        .most_side = options_.most_side,
+        .most_density = options_.noise > 0 ? 1 / (texel_of_noise * options_.noise * surface_.scale) : 0};
+    if (model_.has_own_texcoords)
+      place_islands(std::accumulate(wanted.begin(), wanted.end(), 0.0), limits);
+    else
+      atlas_ = pack(charts_, surface_, wanted, limits);
     model_.density = static_cast<double>(atlas_.scale);
     maps_.resize(charts_.size());
     for (std::size_t c = 0; c < charts_.size(); ++c) maps_[c].resize(atlas_.places[c], channels_);
+  }
+
+  // Islands whose rectangles overlap much, as rings within rings, would take much memory one by one.
+  void place_islands(double wanted, const AtlasLimits& limits) {
+    constexpr std::uint64_t most_layers = 4;
+    atlas_ = keep_places(charts_, surface_, wanted, limits);
+    std::uint64_t texels = 0;
+    for (const Place& place : atlas_.places) texels += std::uint64_t{place.width} * place.height;
+    if (texels <= most_layers * atlas_.width * atlas_.height) return;
+    charts_ = join_islands(charts_, surface_);
+    atlas_ = keep_places(charts_, surface_, wanted, limits);
   }
 
   void add_points() {
@@ -184,7 +233,8 @@ class Baker {
   void set_normals(std::size_t c, bool is_empty) {
     ChartMap& map = maps_[c];
     if (!has_normals_ || is_empty) {
-      const Coverage coverage = cover(charts_[c], atlas_.places[c], surface_);
+      const Coverage coverage = is_empty && charts_[c].is_own ? nearest_places(charts_[c], atlas_.places[c], surface_)
+                                                              : cover(charts_[c], atlas_.places[c], surface_);
       if (is_empty)
         set_coarse_normals(charts_[c], surface_, coverage, channels_, map.values);
       else
@@ -207,6 +257,7 @@ class Baker {
   const BakeOptions& options_;
   common::Workers workers_;
   std::array<double, 3> origin_;
+  std::span<const float> texcoords_;  // of the mesh
   Surface surface_;
   std::vector<Chart> charts_;
   Atlas atlas_;

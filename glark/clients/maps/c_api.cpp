@@ -24,6 +24,9 @@ static_assert(static_cast<int>(maps::Element::array) == GLARK_MAPS_ARRAY);
 static_assert(static_cast<int>(maps::Element::triangle) == GLARK_MAPS_TRIANGLE);
 static_assert(static_cast<int>(maps::Element::point) == GLARK_MAPS_POINT);
 static_assert(static_cast<int>(maps::Element::file) == GLARK_MAPS_FILE);
+static_assert(static_cast<int>(maps::Texcoords::automatic) == GLARK_MAPS_TEXCOORDS_AUTOMATIC);
+static_assert(static_cast<int>(maps::Texcoords::own) == GLARK_MAPS_TEXCOORDS_OWN);
+static_assert(static_cast<int>(maps::Texcoords::charts) == GLARK_MAPS_TEXCOORDS_CHARTS);
 
 glark_maps_element element_of(stream::Element element) {
   switch (element) {
@@ -61,7 +64,8 @@ maps::CoarseMesh coarse_of(const glark_maps_coarse_mesh& mesh) {
   return {.origin = origin_of(mesh.origin),
           .positions = span_of(mesh.positions, "positions"),
           .normals = span_of(mesh.normals, "normals"),
-          .triangles = span_of(mesh.triangles, "triangles")};
+          .triangles = span_of(mesh.triangles, "triangles"),
+          .texcoords = span_of(mesh.texcoords, "texcoords")};
 }
 
 maps::FineMesh fine_of(const glark_maps_fine_mesh& mesh) {
@@ -82,6 +86,9 @@ maps::BakeOptions options_of(const glark_maps_options* given) {
   options.reach = given->reach;
   options.skip_invalid = given->skip_invalid;
   options.threads = given->threads;
+  options.width = given->width;
+  options.height = given->height;
+  options.texcoords = static_cast<maps::Texcoords>(given->texcoords);
   return options;
 }
 
@@ -97,8 +104,11 @@ glark_maps_jump jump_of(const maps::Jump& jump) { return {jump.greatest, jump.ro
 
 glark_maps_options glark_maps_default_options(void) {
   const maps::BakeOptions options;
-  return {options.texture_memory, options.most_side,    options.noise,  options.texels_per_point,
-          options.reach,          options.skip_invalid, options.threads};
+  return {options.texture_memory, options.most_side,
+          options.noise,          options.texels_per_point,
+          options.reach,          options.skip_invalid,
+          options.threads,        options.width,
+          options.height,         GLARK_MAPS_TEXCOORDS_AUTOMATIC};
 }
 
 glark_code glark_maps_bake_file(const glark_maps_coarse_mesh* mesh, const char* file, const char* format,
@@ -157,6 +167,10 @@ glark_maps_counts glark_maps_model_counts(const glark_maps_model* model) {
   const maps::Baked& baked = model->baked;
   return {baked.points,       baked.left_out, baked.invalid, baked.charts,
           baked.empty_charts, baked.texels,   baked.filled,  baked.reach};
+}
+
+bool glark_maps_has_own_texcoords(const glark_maps_model* model) {
+  return model != nullptr && model->baked.has_own_texcoords;
 }
 
 glark_maps_seams glark_maps_model_seams(const glark_maps_model* model) {

@@ -6,7 +6,7 @@
 #include <array>
 #include <map>
 
-#include "glark/clients/maps/charts/segmentation.h"
+#include "glark/clients/maps/charts/chart_edges.h"
 #include "glark/clients/maps/fill/diffusion.h"
 #include "glark/clients/maps/seams/samples.h"
 #include "glark/clients/maps/seams/seams.h"
@@ -19,44 +19,49 @@ struct SeamList {
   std::vector<SeamFrames> frames;  // [seams]
 };
 
-// The edges between charts.
+// The edges between charts, and those where two parts of one chart meet.
 class Collector {
  public:
   Collector(const Surface& surface, const std::vector<Chart>& charts, const Atlas& atlas)
-      : surface_(surface), charts_(charts), atlas_(atlas), chart_of_(chart_of_triangles(charts, surface)) {}
+      : surface_(surface), charts_(charts), atlas_(atlas), edges_(surface, charts) {}
 
   SeamList list() const {
     SeamList list;
     for (std::uint32_t t = 0; t < surface_.triangles.size(); ++t) {
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t other = surface_.neighbours[t][k];
-        if (other == none || other < t || chart_of_[other] == chart_of_[t]) continue;
-        const Ends ends{surface_.triangles[t][k], surface_.triangles[t][(k + 1) % 3]};
-        list.seams.push_back({side(chart_of_[t], ends), side(chart_of_[other], ends)});
-        list.frames.push_back({{surface_.normals[ends[0]], surface_.normals[ends[1]]},
-                               {tangents(chart_of_[t], ends), tangents(chart_of_[other], ends)}});
+        if (other == none || other < t || !edges_.is_seam(t, k)) continue;
+        const auto& vertices = surface_.triangles[t];
+        const std::array<std::uint32_t, 2> ends{vertices[k], vertices[(k + 1) % 3]};
+        const Corners corners{k, (k + 1) % 3};
+        const Corners others{corner_at(surface_, other, ends[0]), corner_at(surface_, other, ends[1])};
+        list.seams.push_back({side(t, corners), side(other, others)});
+        list.frames.push_back(
+            {{surface_.normals[ends[0]], surface_.normals[ends[1]]}, {tangents(t, corners), tangents(other, others)}});
       }
     }
     return list;
   }
 
  private:
-  using Ends = std::array<std::uint32_t, 2>;
+  using Corners = std::array<std::size_t, 2>;  // of a triangle, at the ends of the edge
 
-  SeamSide side(std::uint32_t c, const Ends& ends) const {
-    const auto texel = [&](std::uint32_t vertex) {
-      return atlas_.places[c].texel(charts_[c], charts_[c].project(surface_.positions[vertex]));
+  SeamSide side(std::uint32_t t, const Corners& corners) const {
+    const std::uint32_t c = edges_.chart_of(t);
+    const auto texel = [&](std::size_t corner) {
+      return atlas_.places[c].texel(charts_[c], charts_[c].point(surface_, t, corner));
     };
-    return {.chart = c, .from = texel(ends[0]), .to = texel(ends[1])};
+    return {.chart = c, .from = texel(corners[0]), .to = texel(corners[1])};
   }
-  std::array<Vector, 2> tangents(std::uint32_t c, const Ends& ends) const {
-    return {tangent_at(charts_[c], ends[0]), tangent_at(charts_[c], ends[1])};
+  std::array<Vector, 2> tangents(std::uint32_t t, const Corners& corners) const {
+    const Chart& chart = charts_[edges_.chart_of(t)];
+    return {tangent_at(chart, t, corners[0]), tangent_at(chart, t, corners[1])};
   }
 
   const Surface& surface_;
   const std::vector<Chart>& charts_;
   const Atlas& atlas_;
-  std::vector<std::uint32_t> chart_of_;
+  ChartEdges edges_;
 };
 
 constexpr unsigned colours = 3;
@@ -114,6 +119,24 @@ void equalise_seams(const Surface& surface, const std::vector<Chart>& charts, co
   const std::vector<ChartImage> images = images_of(maps);
   const SeamList list = Collector(surface, charts, atlas).list();
   equalise(images, channels, list.seams, {.levels = kept_levels, .first_level_channel = height_channel}, list.frames);
+}
+
+void equalise_seams(const Surface& surface, const std::vector<Chart>& islands, const Atlas& atlas, unsigned channels,
+                    WholeMap& whole) {
+  SeamList list = Collector(surface, islands, atlas).list();
+  for (Seam& seam : list.seams) {
+    for (SeamSide* side : {&seam.a, &seam.b}) {
+      const Place& place = atlas.places[side->chart];
+      for (Point2* end : {&side->from, &side->to})
+        *end = {(*end)[0] + static_cast<float>(place.x), (*end)[1] + static_cast<float>(bottom_of(place, atlas))};
+      side->least_side =
+          std::max(std::min(place.width, place.height), 2 * island_gutter) - 2 * (island_gutter - gutter);
+      side->chart = 0;
+    }
+  }
+  const ChartImage image{whole.map.width, whole.map.height, whole.map.values};
+  equalise({&image, 1}, channels, list.seams, {.levels = kept_levels, .first_level_channel = height_channel},
+           list.frames);
 }
 
 }  // namespace glark::maps

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "glark/clients/maps/project/chart_map.h"
+#include "glark/clients/maps/project/whole_map.h"
 
 namespace glark::maps {
 
@@ -12,6 +13,10 @@ namespace glark::maps {
 // length than 1 afterwards.
 void equalise_seams(const Surface& surface, const std::vector<Chart>& charts, const Atlas& atlas, unsigned channels,
                     std::vector<ChartMap>& maps);
+
+// The same for islands of the mesh's own texture coordinates, whose maps are joined.
+void equalise_seams(const Surface& surface, const std::vector<Chart>& islands, const Atlas& atlas, unsigned channels,
+                    WholeMap& whole);
 
 // Gives charts without points the colours of their neighbours, from the edges that they share into their middle.
 // is_empty: [charts]. Charts that touch no chart with points stay empty.

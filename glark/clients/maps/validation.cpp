@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <bit>
 #include <cmath>
 #include <optional>
 
@@ -45,6 +46,15 @@ void check(const BakeOptions& options) {
   if (options.most_side < least_side || options.most_side > most_side)
     throw Error(Element::option, 0,
                 fmt::format("most_side is {}; {} to {} is possible", options.most_side, least_side, most_side));
+  if (options.texcoords > Texcoords::charts)
+    throw Error(Element::option, 0,
+                fmt::format("texcoords is {}; 0 to 2 are possible", static_cast<unsigned>(options.texcoords)));
+  const bool has_size = options.width > 0 || options.height > 0;
+  for (const unsigned side : {options.width, options.height})
+    if (has_size && (!std::has_single_bit(side) || side < least_side || side > most_side))
+      throw Error(Element::option, 0,
+                  fmt::format("width, height is {} x {}; 0 x 0 or powers of two from {} to {} are possible",
+                              options.width, options.height, least_side, most_side));
   if (!(options.texels_per_point > 0 && options.texels_per_point <= most_texels))
     throw Error(
         Element::option, 0,

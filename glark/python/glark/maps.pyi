@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
 from os import PathLike
-from typing import List, Optional, Sequence, Union
+from typing import List, Literal, Optional, Sequence, Tuple, Union
 
 import numpy
 from numpy.typing import ArrayLike, NDArray
@@ -44,6 +44,8 @@ class Baked:
     points: int
     left_out: int
     invalid: int
+    has_own_texcoords: bool
+    texcoords_fault: str
     charts: int
     empty_charts: int
     texels: int
@@ -54,5 +56,7 @@ class Baked:
 
 def bake(positions: ArrayLike, triangles: ArrayLike, source: Union[Path, FineMesh], *, normals: Optional[ArrayLike] = None,
          origin: Sequence[float] = (0, 0, 0), format: str = "", texture_memory: int = ..., most_side: int = ...,
-         noise: float = 0, texels_per_point: float = ..., reach: float = 0, skip_invalid: bool = False, threads: int = 0) -> Baked: ...
+         noise: float = 0, texels_per_point: float = ..., reach: float = 0, skip_invalid: bool = False, threads: int = 0,
+         texcoords: Optional[ArrayLike] = None, texture_coordinates: Literal["auto", "own", "charts"] = "auto",
+         size: Tuple[int, int] = (0, 0)) -> Baked: ...
 def write_model(file: Path, model: Baked) -> None: ...

@@ -25,6 +25,7 @@ typedef struct glark_maps_coarse_mesh {
   glark_floats positions;  /* [3 * vertices] */
   glark_floats normals;    /* [3 * vertices], or empty */
   glark_indices triangles; /* [3 * triangles], counter-clockwise from outside */
+  glark_floats texcoords;  /* [2 * vertices], or empty; the lower left texel is at 0 0 */
 } glark_maps_coarse_mesh;
 
 typedef struct glark_maps_fine_mesh {
@@ -35,6 +36,13 @@ typedef struct glark_maps_fine_mesh {
   glark_indices triangles; /* [3 * triangles]; empty: only the vertices */
 } glark_maps_fine_mesh;
 
+/* Whose texture coordinates the model has. */
+typedef enum glark_maps_texcoord_source {
+  GLARK_MAPS_TEXCOORDS_AUTOMATIC = 0, /* those of the coarse mesh if they are usable, or else those of charts */
+  GLARK_MAPS_TEXCOORDS_OWN = 1,       /* those of the coarse mesh, or an error */
+  GLARK_MAPS_TEXCOORDS_CHARTS = 2     /* those of charts, which are made for the maps */
+} glark_maps_texcoord_source;
+
 typedef struct glark_maps_options {
   size_t texture_memory; /* bytes, 1 MiB or more */
   unsigned most_side;    /* 64 to 32768 */
@@ -43,6 +51,8 @@ typedef struct glark_maps_options {
   double reach; /* 0: by the distances of the points */
   bool skip_invalid;
   unsigned threads;
+  unsigned width, height; /* of the maps, powers of two; 0: by the number of points */
+  glark_maps_texcoord_source texcoords;
 } glark_maps_options;
 
 GLARK_EXPORT glark_maps_options glark_maps_default_options(void);
@@ -91,6 +101,8 @@ typedef struct glark_maps_counts {
 } glark_maps_counts;
 
 GLARK_EXPORT glark_maps_counts glark_maps_model_counts(const glark_maps_model* model);
+/* Whether the texture coordinates are those of the coarse mesh. Then the vertices are in its order. */
+GLARK_EXPORT bool glark_maps_has_own_texcoords(const glark_maps_model* model);
 
 typedef struct glark_maps_jump {
   float greatest, root_mean_square;

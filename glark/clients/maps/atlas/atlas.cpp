@@ -25,7 +25,7 @@ double area_in_plane(const Chart& chart, const Surface& surface) {
   double area = 0;
   for (const std::uint32_t t : chart.triangles) {
     Triangle2 triangle;
-    for (std::size_t k = 0; k < 3; ++k) triangle.corners[k] = chart.project(surface.positions[surface.triangles[t][k]]);
+    for (std::size_t k = 0; k < 3; ++k) triangle.corners[k] = chart.point(surface, t, k);
     area += std::abs(static_cast<double>(triangle.doubled_area())) / 2;
   }
   return area;
@@ -62,7 +62,8 @@ std::optional<Atlas> try_to_pack(const std::vector<Chart>& charts, const std::ve
   std::uint64_t texels = 0;
   for (std::size_t i = 0; i < charts.size(); ++i) {
     Place& place = atlas.places.emplace_back();
-    place.density = static_cast<float>(densities[i] * scale);
+    const auto density = static_cast<float>(densities[i] * scale);
+    place.density = {density, density};
     place.width = side_of(charts[i].size[0], densities[i] * scale);
     place.height = side_of(charts[i].size[1], densities[i] * scale);
     if (place.width > width || place.height > height) return std::nullopt;
@@ -86,9 +87,9 @@ std::optional<Atlas> try_to_pack(const std::vector<Chart>& charts, const std::ve
   return atlas;
 }
 
-// The greatest densities that fit into the largest maps.
+// The greatest densities that fit into the maps. most_scale: such densities do not fit.
 Atlas reduce(const std::vector<Chart>& charts, const std::vector<double>& densities, unsigned width, unsigned height,
-             const AtlasLimits& limits) {
+             double most_scale, const AtlasLimits& limits) {
   std::optional<Atlas> best = try_to_pack(charts, densities, 0, width, height);
   if (!best)
     throw Error(
@@ -96,7 +97,7 @@ Atlas reduce(const std::vector<Chart>& charts, const std::vector<double>& densit
         fmt::format("texture_memory allows maps of {} texels, but the coarse mesh has {} charts, which need more; "
                     "raise it, or give a mesh of fewer triangles",
                     limits.most_texels, charts.size()));
-  double low = 0, high = 1;
+  double low = 0, high = most_scale;
   for (int step = 0; step < 12; ++step) {
     const double middle = (low + high) / 2;
     if (auto atlas = try_to_pack(charts, densities, middle, width, height)) {
@@ -109,6 +110,19 @@ Atlas reduce(const std::vector<Chart>& charts, const std::vector<double>& densit
   return std::move(*best);
 }
 
+// Fills maps of a given size.
+Atlas fit(const std::vector<Chart>& charts, const std::vector<double>& densities, const Surface& surface,
+          const AtlasLimits& limits) {
+  double texels = 0;
+  for (std::size_t i = 0; i < charts.size(); ++i)
+    texels += area_in_plane(charts[i], surface) * densities[i] * densities[i];
+  const double all = static_cast<double>(limits.width) * limits.height;
+  Atlas atlas =
+      reduce(charts, densities, limits.width, limits.height, texels > 0 ? std::sqrt(all / texels) : 1, limits);
+  atlas.scale = std::min(atlas.scale, 1.0F);
+  return atlas;
+}
+
 }  // namespace
 
 Atlas pack(const std::vector<Chart>& charts, const Surface& surface, std::span<const double> wanted,
@@ -116,6 +130,7 @@ Atlas pack(const std::vector<Chart>& charts, const Surface& surface, std::span<c
   std::vector<double> densities = densities_of(charts, surface, wanted);
   if (limits.most_density > 0)
     for (double& density : densities) density = std::min(density, limits.most_density);
+  if (limits.width > 0) return fit(charts, densities, surface, limits);
   unsigned width = least_side, height = least_side;
   while (true) {
     if (auto atlas = try_to_pack(charts, densities, 1, width, height)) return std::move(*atlas);
@@ -123,13 +138,12 @@ Atlas pack(const std::vector<Chart>& charts, const Surface& surface, std::span<c
     if (2 * next > limits.most_side || 2 * std::uint64_t{width} * height > limits.most_texels) break;
     next *= 2;
   }
-  return reduce(charts, densities, width, height, limits);
+  return reduce(charts, densities, width, height, 1, limits);
 }
 
 Triangle2 triangle_in(const Chart& chart, const Place& place, const Surface& surface, std::uint32_t triangle) {
   Triangle2 result;
-  for (std::size_t k = 0; k < 3; ++k)
-    result.corners[k] = place.texel(chart, chart.project(surface.positions[surface.triangles[triangle][k]]));
+  for (std::size_t k = 0; k < 3; ++k) result.corners[k] = place.texel(chart, chart.point(surface, triangle, k));
   return result;
 }
 

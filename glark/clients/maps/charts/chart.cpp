@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "glark/clients/maps/charts/wedges.h"
+
 namespace glark::maps {
 namespace {
 
@@ -56,8 +58,8 @@ void set_rectangle(Chart& chart, const Surface& surface) {
   Point2 high{};
   bool is_first = true;
   for (const std::uint32_t t : chart.triangles) {
-    for (const std::uint32_t vertex : surface.triangles[t]) {
-      const Point2 p = chart.project(surface.positions[vertex]);
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+      const Point2 p = chart.point(surface, t, corner);
       for (std::size_t k = 0; k < 2; ++k) {
         chart.low[k] = is_first ? p[k] : std::min(chart.low[k], p[k]);
         high[k] = is_first ? p[k] : std::max(high[k], p[k]);
@@ -83,54 +85,15 @@ void find_guests(Chart& chart, const Surface& surface) {
   });
 }
 
-Vector within_plane(Vector v, Vector normal) { return common::unit(v - normal * common::dot(v, normal)); }
-
-void set_tangents(Chart& chart, const Surface& surface) {
-  constexpr float least_cosine = 1e-4F;  // of a triangle and the plane; others have no direction
-  chart.vertices.clear();
-  for (const std::uint32_t t : chart.triangles)
-    chart.vertices.insert(chart.vertices.end(), surface.triangles[t].begin(), surface.triangles[t].end());
-  std::sort(chart.vertices.begin(), chart.vertices.end());
-  chart.vertices.erase(std::unique(chart.vertices.begin(), chart.vertices.end()), chart.vertices.end());
-  chart.tangents.assign(chart.vertices.size(), {});
-  for (const std::uint32_t t : chart.triangles) {
-    const Vector normal = surface.triangle_normals[t];
-    const float cosine = common::dot(normal, chart.normal);
-    if (!(cosine > least_cosine)) continue;
-    const Vector along = chart.u - chart.normal * (common::dot(chart.u, normal) / cosine);
-    const auto& corners = surface.triangles[t];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vector n = surface.normals[corners[k]], p = surface.positions[corners[k]];
-      const Vector a = within_plane(surface.positions[corners[(k + 1) % 3]] - p, n);
-      const Vector b = within_plane(surface.positions[corners[(k + 2) % 3]] - p, n);
-      const float angle = std::acos(std::clamp(common::dot(a, b), -1.0F, 1.0F));
-      const auto at = std::lower_bound(chart.vertices.begin(), chart.vertices.end(), corners[k]);
-      chart.tangents[static_cast<std::size_t>(at - chart.vertices.begin())] += within_plane(along, n) * angle;
-    }
-  }
-  for (std::size_t i = 0; i < chart.vertices.size(); ++i) {
-    const Vector n = surface.normals[chart.vertices[i]];
-    Vector& tangent = chart.tangents[i];
-    tangent = common::unit(tangent);
-    if (common::is_zero(tangent)) tangent = within_plane(chart.u, n);
-    if (common::is_zero(tangent)) tangent = chart.v;
-  }
-}
-
 }  // namespace
 
 void lay_out(Chart& chart, const Surface& surface) {
   std::sort(chart.triangles.begin(), chart.triangles.end());
   set_normal(chart, surface);
-  align(chart, surface);
+  if (!chart.is_own) align(chart, surface);
   set_rectangle(chart, surface);
-  find_guests(chart, surface);
-  set_tangents(chart, surface);
-}
-
-Vector tangent_at(const Chart& chart, std::uint32_t vertex) {
-  const auto found = std::lower_bound(chart.vertices.begin(), chart.vertices.end(), vertex);
-  return chart.tangents[static_cast<std::size_t>(found - chart.vertices.begin())];
+  if (!chart.is_own) find_guests(chart, surface);
+  set_wedges(chart, surface);
 }
 
 }  // namespace glark::maps

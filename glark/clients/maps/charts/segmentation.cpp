@@ -156,11 +156,4 @@ std::vector<Chart> segment(const Surface& surface) {
   return charts;
 }
 
-std::vector<std::uint32_t> chart_of_triangles(const std::vector<Chart>& charts, const Surface& surface) {
-  std::vector<std::uint32_t> chart_of(surface.triangles.size(), none);
-  for (std::uint32_t c = 0; c < charts.size(); ++c)
-    for (const std::uint32_t t : charts[c].triangles) chart_of[t] = c;
-  return chart_of;
-}
-
 }  // namespace glark::maps

@@ -14,7 +14,4 @@ namespace glark::maps {
 
 std::vector<Chart> segment(const Surface& surface);
 
-// Returns the chart of each triangle.
-std::vector<std::uint32_t> chart_of_triangles(const std::vector<Chart>& charts, const Surface& surface);
-
 }  // namespace glark::maps

@@ -24,6 +24,12 @@ void require(const CoarseMesh& mesh) {
     throw Error(Element::array, 0,
                 fmt::format("the coarse mesh has {} coordinates and {} of normals; give as many, or none",
                             mesh.positions.size(), mesh.normals.size()));
+  if (!mesh.texcoords.empty() && 3 * mesh.texcoords.size() != 2 * mesh.positions.size())
+    throw Error(
+        Element::array, 0,
+        fmt::format("the coarse mesh has {} numbers of texture coordinates; give two for each of its {} vertices, "
+                    "or none",
+                    mesh.texcoords.size(), mesh.positions.size() / 3));
   if (mesh.triangles.size() % 3 != 0)
     throw Error(Element::array, 0,
                 fmt::format("the coarse mesh has {} indices; give three for each triangle", mesh.triangles.size()));
@@ -149,6 +155,14 @@ void measure(Surface& surface) {
   surface.mean_edge = sum / (3 * static_cast<double>(surface.triangles.size()));
 }
 
+void add_texcoords(const CoarseMesh& mesh, Surface& surface) {
+  for (const auto& corners : surface.sources) {
+    auto& of_triangle = surface.texcoords.emplace_back();
+    for (std::size_t k = 0; k < 3; ++k)
+      of_triangle[k] = {mesh.texcoords[2 * std::size_t{corners[k]}], mesh.texcoords[2 * std::size_t{corners[k]} + 1]};
+  }
+}
+
 // Squares of lengths must neither overflow nor underflow.
 void scale(Surface& surface) {
   measure_box(surface);
@@ -163,16 +177,19 @@ void scale(Surface& surface) {
 Surface surface_of(const CoarseMesh& mesh) {
   require(mesh);
   Surface surface;
-  const std::vector<std::uint32_t> welded = weld(mesh, surface.positions);
+  surface.welded = weld(mesh, surface.positions);
+  const std::vector<std::uint32_t>& welded = surface.welded;
   scale(surface);
   for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
     const std::array<std::uint32_t, 3> corners{welded[mesh.triangles[t]], welded[mesh.triangles[t + 1]],
                                                welded[mesh.triangles[t + 2]]};
     surface.triangles.push_back(corners);
+    surface.sources.push_back({mesh.triangles[t], mesh.triangles[t + 1], mesh.triangles[t + 2]});
     surface.triangle_normals.push_back(
         unit(common::cross(surface.positions[corners[1]] - surface.positions[corners[0]],
                            surface.positions[corners[2]] - surface.positions[corners[0]])));
   }
+  if (!mesh.texcoords.empty()) add_texcoords(mesh, surface);
   add_normals(mesh, welded, surface);
   add_neighbours(surface);
   add_triangles_of_vertices(surface);
@@ -181,6 +198,11 @@ Surface surface_of(const CoarseMesh& mesh) {
                   [](const Vector& normal) { return common::is_zero(normal); }))
     throw Error(Element::array, 0, "no triangle of the coarse mesh has an area; give a mesh with a surface");
   return surface;
+}
+
+std::size_t corner_at(const Surface& surface, std::uint32_t triangle, std::uint32_t vertex) {
+  const auto& corners = surface.triangles[triangle];
+  return static_cast<std::size_t>(std::find(corners.begin(), corners.end(), vertex) - corners.begin());
 }
 
 }  // namespace glark::maps

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "glark/clients/maps/charts/chart.h"
 
@@ -34,6 +35,9 @@ struct Triangle2 {
             w[0] * corners[0][1] + w[1] * corners[1][1] + w[2] * corners[2][1]};
   }
 };
+
+// Returns the weights of the place of a triangle's boundary that is nearest to a point, and the squared distance.
+std::pair<Weights, float> nearest_on_boundary(const Triangle2& triangle, Point2 p);
 
 // Calls visit(x, y, weights) for each cell (x, y) of side 1 whose centre has weights of at least `least`.
 template <class Visit>

@@ -33,6 +33,7 @@ class MappedTriangle {
       normals_[k] = {model.normals[3 * vertex], model.normals[3 * vertex + 1], model.normals[3 * vertex + 2]};
       tangents_[k] = {model.tangents[4 * vertex], model.tangents[4 * vertex + 1], model.tangents[4 * vertex + 2]};
     }
+    turn_ = model.tangents[4 * std::size_t{model.triangles[3 * triangle]} + 3];
     twice_area_ = twice_area(corners_[0], corners_[1], corners_[2]);
   }
 
@@ -69,7 +70,9 @@ class MappedTriangle {
       normal = normal + normals_[k] * weights[k];
       tangent = tangent + tangents_[k] * weights[k];
     }
-    return TangentFrame::of(normal, tangent);
+    TangentFrame frame = TangentFrame::of(normal, tangent);
+    frame.bitangent = frame.bitangent * turn_;
+    return frame;
   }
 
  private:
@@ -94,6 +97,7 @@ class MappedTriangle {
   std::array<Texel, 3> corners_{};
   std::array<Vector, 3> normals_{}, tangents_{};
   float twice_area_ = 0;
+  float turn_ = 1;  // -1: the bitangent points the other way
 };
 
 // Turns the texels at and around a triangle that are nearer to it than to all triangles before.

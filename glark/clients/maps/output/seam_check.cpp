@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "glark/clients/maps/charts/segmentation.h"
+#include "glark/clients/maps/charts/chart_edges.h"
 #include "glark/clients/maps/charts/tangent_frame.h"
 
 namespace glark::maps {
@@ -78,7 +78,9 @@ class Reader {
     const TangentFrame frame =
         TangentFrame::of(mix(model_.normals, 3, from, to, s), mix(model_.tangents, 4, from, to, s));
     Seen seen;
-    seen.normal = common::unit(frame.to_world(colour_at(maps_.normals, at) * 2.0F - Vector{1, 1, 1}));
+    Vector local = colour_at(maps_.normals, at) * 2.0F - Vector{1, 1, 1};
+    local.y *= model_.tangents[4 * std::size_t{from} + 3];
+    seen.normal = common::unit(frame.to_world(local));
     if (!maps_.colours.empty()) seen.colour = colour_at(maps_.colours, at);
     seen.height =
         filtered(at, [&](std::size_t i) { return static_cast<float>(maps_.heights[i]) / 65535; }) * model_.scale;
@@ -147,20 +149,17 @@ struct AllDifferences {
   }
 };
 
-SeamJumps jumps_of(const Surface& surface, const std::vector<std::uint32_t>& chart_of, const Baked& model,
-                   const MapsOfLevel& maps) {
+SeamJumps jumps_of(const Surface& surface, const ChartEdges& chart_edges, const Baked& model, const MapsOfLevel& maps) {
   const Reader reader(model, maps);
   AllDifferences all;
   std::size_t edges = 0;
   const auto corner = [&](std::uint32_t t, std::uint32_t vertex) {
-    const auto& corners = surface.triangles[t];
-    const auto k = static_cast<std::size_t>(std::find(corners.begin(), corners.end(), vertex) - corners.begin());
-    return model.triangles[3 * std::size_t{t} + k];
+    return model.triangles[3 * std::size_t{t} + corner_at(surface, t, vertex)];
   };
   for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t other = surface.neighbours[t][k];
-      if (other == none || other < t || chart_of[other] == chart_of[t]) continue;
+      if (other == none || other < t || !chart_edges.is_seam(t, k)) continue;
       const std::uint32_t from = surface.triangles[t][k];
       const std::uint32_t to = surface.triangles[t][(k + 1) % 3];
       const Point2 a = reader.texel_of(corner(t, from));
@@ -180,14 +179,14 @@ SeamJumps jumps_of(const Surface& surface, const std::vector<std::uint32_t>& cha
 
 std::vector<SeamJumps> check_seams(const Surface& surface, const std::vector<Chart>& charts, const Baked& model,
                                    unsigned levels) {
-  const std::vector<std::uint32_t> chart_of = chart_of_triangles(charts, surface);
+  const ChartEdges edges(surface, charts);
   std::vector<SeamJumps> jumps;
   std::vector<NextLevel> next;
   next.reserve(levels);
   MapsOfLevel maps{model.width, model.height, model.normal_map, model.colour_map, model.displacement_map};
   for (unsigned level = 0; level < levels; ++level) {
     if (level > 0) maps = next.emplace_back(maps).maps();
-    jumps.push_back(jumps_of(surface, chart_of, model, maps));
+    jumps.push_back(jumps_of(surface, edges, model, maps));
   }
   return jumps;
 }

@@ -4,40 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "glark/clients/maps/charts/tangent_frame.h"
+#include "glark/clients/maps/fill/diffusion.h"
 #include "glark/clients/maps/project/chart_map.h"
 
 namespace glark::maps {
 namespace {
-
-// The place of an edge that is nearest to a point, as a part of the way from a to b.
-float nearest_on_edge(Point2 a, Point2 b, Point2 p) {
-  const Point2 edge{b[0] - a[0], b[1] - a[1]};
-  const float squared = edge[0] * edge[0] + edge[1] * edge[1];
-  if (!(squared > 0)) return 0;
-  return std::clamp(((p[0] - a[0]) * edge[0] + (p[1] - a[1]) * edge[1]) / squared, 0.0F, 1.0F);
-}
-
-// Returns the weights of the place of a triangle's boundary that is nearest to a point, and the squared distance.
-std::pair<Weights, float> nearest_on_boundary(const Triangle2& triangle, Point2 p) {
-  Weights best{1, 0, 0};
-  float least = std::numeric_limits<float>::max();
-  for (std::size_t k = 0; k < 3; ++k) {
-    Weights w{};
-    const float part = nearest_on_edge(triangle.corners[k], triangle.corners[(k + 1) % 3], p);
-    w[k] = 1 - part;
-    w[(k + 1) % 3] = part;
-    const Point2 at = triangle.at(w);
-    const float squared = (at[0] - p[0]) * (at[0] - p[0]) + (at[1] - p[1]) * (at[1] - p[1]);
-    if (squared >= least) continue;
-    least = squared;
-    best = w;
-  }
-  return {best, least};
-}
 
 constexpr int margin = 8;  // texels
 
@@ -111,6 +85,23 @@ void set_coarse_normals(const Chart& chart, const Surface& surface, const Covera
   }
 }
 
+namespace {
+
+// Beyond the triangles of an island, normals are those at its border.
+void spread_normals(const Place& place, const Coverage& coverage, unsigned channels, std::vector<float>& values) {
+  std::vector<float> normals, weights;
+  for (std::size_t at = 0; at < coverage.triangles.size(); ++at) {
+    const float* const n = values.data() + at * channels + normal_channel;
+    normals.insert(normals.end(), {n[0], n[1], n[2]});
+    weights.push_back(coverage.triangles[at] == none ? 0.0F : 1.0F);
+  }
+  if (diffuse({place.width, place.height, 3, normals, weights}).filled == weights.size()) return;  // no triangle
+  for (std::size_t at = 0; at < weights.size(); ++at)
+    std::copy_n(&normals[3 * at], 3, values.data() + at * channels + normal_channel);
+}
+
+}  // namespace
+
 void set_normals_from_heights(const Chart& chart, const Place& place, const Surface& surface, const Coverage& coverage,
                               unsigned channels, std::vector<float>& values) {
   const auto displaced = [&](std::size_t at) {
@@ -137,12 +128,13 @@ void set_normals_from_heights(const Chart& chart, const Place& place, const Surf
       if (coverage.triangles[at] != none) {
         const Vector along_x = difference(at, 1, x > 0, x + 1 < place.width);
         const Vector along_y = difference(at, place.width, y > 0, y + 1 < place.height);
-        const Vector found = common::unit(common::cross(along_x, along_y));
+        const Vector found = common::unit(common::cross(along_x, along_y) * (chart.is_mirrored ? -1.0F : 1.0F));
         normal = common::is_zero(found) ? surface.triangle_normals[coverage.triangles[at]] : found;
       }
       for (std::size_t k = 0; k < 3; ++k) values[at * channels + normal_channel + k] = normal[k];
     }
   }
+  if (chart.is_own) spread_normals(place, coverage, channels, values);
 }
 
 void to_tangent_space(const Chart& chart, const Place& place, const Surface& surface, unsigned channels,
@@ -155,7 +147,7 @@ void to_tangent_space(const Chart& chart, const Place& place, const Surface& sur
     Vector normal = chart.vertex_normal, tangent = common::is_zero(chart_tangent) ? chart.v : chart_tangent;
     if (const std::uint32_t t = coverage.triangles[at]; t != none) {
       if (t != last)
-        for (std::size_t k = 0; k < 3; ++k) tangents[k] = tangent_at(chart, surface.triangles[t][k]);
+        for (std::size_t k = 0; k < 3; ++k) tangents[k] = tangent_at(chart, t, k);
       last = t;
       normal = tangent = {};
       for (std::size_t k = 0; k < 3; ++k) {

@@ -79,7 +79,8 @@ Splatter::Splatter(const std::vector<Chart>& charts, const Atlas& atlas, const S
     : shell_(shell), channels_(channels), first_image_(surface.triangles.size() + 1) {
   const auto visit = [&](const auto& add) {
     for (std::uint32_t c = 0; c < charts.size(); ++c) {
-      for (const std::uint32_t t : charts[c].triangles) add(c, t);
+      for (const std::uint32_t t : charts[c].triangles)
+        if (!charts[c].is_own || Triangle2{surface.texcoords[t]}.doubled_area() != 0) add(c, t);
       for (const std::uint32_t t : charts[c].guests) add(c, t);
     }
   };

@@ -28,12 +28,13 @@ SeamSide scaled(SeamSide side, unsigned level) {
 MipLevel::MipLevel(std::span<const ChartImage> charts, unsigned channels, std::span<const Seam> seams,
                    std::span<const SeamFrames> frames, unsigned level)
     : channels_(channels), level_(level) {
-  const auto is_small = [&](std::uint32_t chart) {
+  const auto is_small = [&](const SeamSide& side) {
     constexpr unsigned least_side = 8;
-    return std::min(charts[chart].width, charts[chart].height) >> level < least_side;
+    const unsigned of_chart = std::min(charts[side.chart].width, charts[side.chart].height);
+    return (side.least_side > 0 ? side.least_side : of_chart) >> level < least_side;
   };
   for (std::size_t i = 0; i < seams.size(); ++i) {
-    if (level > 0 && (is_small(seams[i].a.chart) || is_small(seams[i].b.chart))) continue;
+    if (level > 0 && (is_small(seams[i].a) || is_small(seams[i].b))) continue;
     seams_.push_back({scaled(seams[i].a, level), scaled(seams[i].b, level)});
     if (!frames.empty()) frames_.push_back(frames[i]);
   }

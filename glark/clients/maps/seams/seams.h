@@ -19,6 +19,8 @@ namespace glark::maps {
 struct SeamSide {
   std::uint32_t chart = 0;
   std::array<float, 2> from{}, to{};
+  unsigned least_side =
+      0;  // the shorter side of the part of the chart that has this edge, with a gutter; 0: of the chart
 };
 
 // The two sides of an edge, in the same direction. They may lie in the same chart.

@@ -6,6 +6,8 @@
 
 #include <glark/maps.h>
 
+#include <array>
+#include <bit>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -34,7 +36,7 @@ constexpr double most_texels = 64;  // of the surface for each point
 
 struct Bake {
   Files files;
-  std::string mesh;
+  std::string mesh, size;
   CoarseOptions coarse;
   maps::BakeOptions options;
   std::optional<double> noise;  // empty: measured
@@ -129,12 +131,7 @@ std::unique_ptr<Fine> read_fine(const Bake& command) {
 
 // noise: receives the noise of the points, if it is measured.
 geometry::Geometry coarse_mesh(const Bake& command, const Fine& fine, double& noise) {
-  if (!command.mesh.empty()) {
-    geometry::Geometry mesh = read_coarse_mesh(command.mesh, command.files);
-    if (!mesh.texture_coordinates.empty())
-      warn(command.mesh + ": its texture coordinates are replaced by those of charts of glark's own");
-    return mesh;
-  }
+  if (!command.mesh.empty()) return read_coarse_mesh(command.mesh, command.files);
   if (!fine.geometry.triangles.empty()) return simplify_to(fine.geometry, command.coarse);
   const std::size_t points = fine.geometry.point_count();
   if (points > 0 && points <= most_reconstructed) {
@@ -145,9 +142,10 @@ geometry::Geometry coarse_mesh(const Bake& command, const Fine& fine, double& no
   return strip_sampling(fine.source, command.coarse, command.files.skip_invalid);
 }
 
-void warn_of_losses(const maps::Baked& model, const std::string& file) {
+void warn_of_losses(const maps::Baked& model, const Bake& command) {
   constexpr double told = 0.99;
-  if (model.density < told)
+  const std::string& file = command.files.input;
+  if (model.density < told && command.options.width == 0)
     warn(fmt::format(
         "{}: the maps have {:.3g} of the texels that its points are worth; more --texture-memory gives more", file,
         model.density * model.density));
@@ -172,6 +170,7 @@ Report report_of(const maps::Baked& model, double noise) {
   report["vertices"] = model.positions.size() / 3;
   report["width"] = model.width;
   report["height"] = model.height;
+  report["own_texture_coordinates"] = model.has_own_texcoords;
   report["charts"] = model.charts;
   report["charts_without_points"] = model.empty_charts;
   report["texels"] = model.texels;
@@ -209,15 +208,21 @@ void run(const Bake& command) {
   options.skip_invalid = command.files.skip_invalid;
   Progress progress("baking " + command.files.input);
   options.progress = [&](double fraction) { progress.show(fraction); };
-  const maps::Baked model = maps::bake(
-      {.origin = mesh.origin, .positions = mesh.positions, .normals = mesh.normals, .triangles = mesh.triangles},
-      fine->source, options);
+  const maps::Baked model =
+      maps::bake({.origin = mesh.origin,
+                  .positions = mesh.positions,
+                  .normals = mesh.normals,
+                  .triangles = mesh.triangles,
+                  .texcoords = command.mesh.empty() ? std::span<const float>() : std::span(mesh.texture_coordinates)},
+                 fine->source, options);
   if (command.mesh.empty() && 2 * model.left_out > model.points)
     throw std::runtime_error(fmt::format(
         "{}: {} of {} points are more than {:.3g} from the coarse mesh or face away from it; normals must point to the "
         "outside: turn them, leave them out, or give a mesh by --mesh",
         command.files.input, model.left_out, model.points, model.reach));
-  warn_of_losses(model, command.files.input);
+  warn_of_losses(model, command);
+  if (!mesh.texture_coordinates.empty() && !model.texcoords_fault.empty())
+    warn(command.mesh + ": new texture coordinates replace its own, because " + model.texcoords_fault);
   maps::write_model(command.files.output, model);
   if (command.pictures) maps::write_pictures(command.files.output, model);
   if (command.object_normals) maps::write_object_normals(command.files.output, model);
@@ -225,6 +230,45 @@ void run(const Bake& command) {
   report["seconds"] = progress.seconds();
   report["peak_memory_bytes"] = peak_memory();
   print(report, command.files.json);
+}
+
+// Accepts a power of two, as 2048, or two of them, as 2048x1024.
+CLI::Validator size_of_maps(maps::BakeOptions& options) {
+  return {[&options](std::string& text) -> std::string {
+            constexpr unsigned least = 64;
+            const std::size_t cross = text.find('x');
+            const std::array<std::string, 2> sides{text.substr(0, cross),
+                                                   cross == std::string::npos ? text : text.substr(cross + 1)};
+            for (std::size_t i = 0; i < 2; ++i) {
+              unsigned& side = i == 0 ? options.width : options.height;
+              const bool is_number = !sides[i].empty() && sides[i].find_first_not_of("0123456789") == std::string::npos;
+              if (!is_number || !CLI::detail::lexical_cast(sides[i], side) || !std::has_single_bit(side) ||
+                  side < least || side > largest_side)
+                return fmt::format("\"{}\" is not a power of two from {} to {}, or two of them as 2048x1024", text,
+                                   least, largest_side);
+            }
+            return {};
+          },
+          ""};
+}
+
+void describe_layout(CLI::App& command, Bake& bake) {
+  command
+      .add_option(
+          "--texture-coordinates", bake.options.texcoords,
+          "Whose texture coordinates the model has: own keeps those of COARSE, charts makes new ones, auto keeps "
+          "them if each triangle has a place of its own within 0 to 1; default auto")
+      ->type_name("auto|own|charts")
+      ->transform(one_of<maps::Texcoords>(
+          {{"auto", maps::Texcoords::automatic}, {"own", maps::Texcoords::own}, {"charts", maps::Texcoords::charts}}))
+      ->needs("--mesh");
+  command
+      .add_option(
+          "--size", bake.size,
+          "The size of the maps, a power of two or two of them, as 2048 or 2048x1024; default: by the number of "
+          "points, within --texture-memory")
+      ->type_name("SIDE")
+      ->check(size_of_maps(bake.options));
 }
 
 void describe(CLI::App& command, Bake& bake) {
@@ -249,11 +293,13 @@ void describe(CLI::App& command, Bake& bake) {
           fmt::format("The most triangles of the coarse mesh without --mesh; default {}", bake.coarse.triangles))
       ->transform(whole_above_zero())
       ->excludes("--mesh");
+  describe_layout(command, bake);
   constexpr std::uint64_t least_maps = std::uint64_t{1} << 20;
   command
       .add_option("--texture-memory", bake.options.texture_memory,
                   "The most memory of the maps with mipmaps, as 64MB or 1GB; default 128MB")
       ->transform(bytes_above_zero(least_maps))
+      ->excludes("--size")
       ->type_name("BYTES");
   command
       .add_option(

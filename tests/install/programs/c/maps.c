@@ -10,7 +10,7 @@ static const uint32_t triangles[] = {0, 2, 4, 2, 1, 4, 1, 3, 4, 3, 0, 4, 2, 0, 5
 
 int main(void) {
   float points[3000];
-  const glark_maps_coarse_mesh mesh = {{0, 0, 0}, {corners, 18}, {NULL, 0}, {triangles, 24}};
+  const glark_maps_coarse_mesh mesh = {{0, 0, 0}, {corners, 18}, {NULL, 0}, {triangles, 24}, {NULL, 0}};
   const glark_maps_fine_mesh fine = {{0, 0, 0}, {points, 3000}, {points, 3000}, {NULL, 0}, {NULL, 0}};
   glark_maps_model* model = NULL;
   glark_error error;
