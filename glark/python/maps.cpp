@@ -172,6 +172,7 @@ void bind_model(py::module_& module) {
       .def_readonly("texcoords_fault", &Baked::texcoords_fault, "why they are not; empty: they are, or were not to be")
       .def_readonly("charts", &Baked::charts, "the number of charts or islands")
       .def_readonly("empty_charts", &Baked::empty_charts, "charts without any point; they stay flat")
+      .def_readonly("hard_edges", &Baked::hard_edges, "edges of the coarse mesh that are creases of the fine surface")
       .def_readonly("texels", &Baked::texels, "texels of charts")
       .def_readonly("filled", &Baked::filled, "texels that got their values by diffusion")
       .def_readonly("reach", &Baked::reach, "the reach that was used")

@@ -125,7 +125,7 @@ struct Jump {
 // filtering of one mipmap level, two places a texel.
 struct SeamJumps {
   Jump colour;            // of the channel that differs most, 0 to 1
-  Jump normal;            // degrees
+  Jump normal;            // degrees; not at hard edges
   Jump displacement;      // in the unit of the positions
   std::size_t edges = 0;  // the number of such edges
 };
@@ -153,6 +153,7 @@ struct Baked {
   std::uint64_t left_out = 0;                // points that are beyond the reach, or face away from all triangles nearby
   std::uint64_t invalid = 0;                 // points whose coordinates are not finite
   std::size_t charts = 0, empty_charts = 0;  // charts or islands, and those without any point
+  std::size_t hard_edges = 0;                // edges of the coarse mesh that are creases of the fine surface
   std::uint64_t texels = 0, filled = 0;      // texels of charts, and those that got their values by diffusion
   double reach = 0;                          // the reach that was used
   double density = 1;                        // of texels, relative to what the options ask for without limits of size

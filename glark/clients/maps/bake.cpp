@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "glark/clients/maps/atlas/atlas.h"
+#include "glark/clients/maps/charts/hard_edges.h"
 #include "glark/clients/maps/charts/islands.h"
 #include "glark/clients/maps/charts/segmentation.h"
 #include "glark/clients/maps/fill/diffusion.h"
@@ -38,7 +39,7 @@ class Baker {
         origin_(mesh.origin),
         texcoords_(mesh.texcoords),
         surface_(surface_of(mesh)) {
-    find_charts();
+    find_islands();
   }
 
   Baked bake() {
@@ -46,6 +47,8 @@ class Baker {
     const Census census = look_at_points();
     report(after_census);
     set_reach(census);
+    if (!census.spreads.empty()) find_hard_edges(census.spreads, surface_);
+    if (!model_.has_own_texcoords) segment_mesh();
     place_charts(census);
     add_points();
     report(after_points);
@@ -56,6 +59,7 @@ class Baker {
       assemble_islands();
     else
       assemble_charts();
+    model_.hard_edges = count_hard_edges(surface_);
     const std::vector<SeamJumps> jumps = check_seams(surface_, charts_, model_, kept_levels);
     model_.seams = jumps.front();
     model_.mip_seams.assign(jumps.begin() + 1, jumps.end());
@@ -65,7 +69,7 @@ class Baker {
   }
 
  private:
-  void find_charts() {
+  void find_islands() {
     if (options_.texcoords != Texcoords::charts) {
       model_.texcoords_fault = fault_of_texcoords(surface_);
       model_.has_own_texcoords = model_.texcoords_fault.empty();
@@ -76,8 +80,23 @@ class Baker {
                         "mesh whose triangles each have a place of their own in the texture",
                         model_.texcoords_fault));
     }
-    charts_ = model_.has_own_texcoords ? islands_of(surface_) : segment(surface_);
+    if (model_.has_own_texcoords) charts_ = islands_of(surface_);
     model_.charts = charts_.size();
+  }
+
+  // Charts end at hard edges, unless so many charts were too much for the maps.
+  void segment_mesh() {
+    constexpr std::uint64_t texels_of_chart = std::uint64_t{4} * (2 * gutter + 1) * (2 * gutter + 1);
+    charts_ = segment(surface_);
+    if (!surface_.hard.empty() && charts_.size() * texels_of_chart > most_texels()) charts_ = segment(surface_, false);
+    model_.charts = charts_.size();
+  }
+
+  // A normal and a colour have three bytes, a height two. The mipmap levels are a third of the first one.
+  std::uint64_t most_texels() const {
+    const std::uint64_t bytes = channels_ == channels_with_colour ? 8 : 5;
+    return options_.width > 0 ? std::uint64_t{options_.width} * options_.height
+                              : options_.texture_memory / bytes * 3 / 4;
   }
 
   void assemble_charts() {
@@ -138,13 +157,11 @@ class Baker {
       for (const std::uint32_t t : chart.triangles) points += census.points[t];
       wanted.push_back(points * options_.texels_per_point);
     }
-    // A normal and a colour have three bytes, a height two. The mipmap levels are a third of the first one.
-    const std::uint64_t bytes = channels_ == channels_with_colour ? 8 : 5;
     constexpr double texel_of_noise = 3.5;
     const AtlasLimits limits{
         .width = options_.width,
         .height = options_.height,
-        .most_texels = options_.texture_memory / bytes * 3 / 4,
+        .most_texels = most_texels(),
         .most_side = options_.most_side,
         .most_density = options_.noise > 0 ? 1 / (texel_of_noise * options_.noise * surface_.scale) : 0};
     if (model_.has_own_texcoords)

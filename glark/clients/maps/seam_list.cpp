@@ -7,7 +7,9 @@
 #include <map>
 
 #include "glark/clients/maps/charts/chart_edges.h"
+#include "glark/clients/maps/charts/hard_edges.h"
 #include "glark/clients/maps/fill/diffusion.h"
+#include "glark/clients/maps/seams/equaliser.h"
 #include "glark/clients/maps/seams/samples.h"
 #include "glark/clients/maps/seams/seams.h"
 
@@ -16,7 +18,8 @@ namespace {
 
 struct SeamList {
   std::vector<Seam> seams;
-  std::vector<SeamFrames> frames;  // [seams]
+  std::vector<SeamFrames> frames;                            // [seams]
+  std::vector<std::pair<std::uint32_t, std::size_t>> edges;  // [seams] a triangle and its edge there
 };
 
 // The edges between charts, and those where two parts of one chart meet.
@@ -36,8 +39,10 @@ class Collector {
         const Corners corners{k, (k + 1) % 3};
         const Corners others{corner_at(surface_, other, ends[0]), corner_at(surface_, other, ends[1])};
         list.seams.push_back({side(t, corners), side(other, others)});
-        list.frames.push_back(
-            {{surface_.normals[ends[0]], surface_.normals[ends[1]]}, {tangents(t, corners), tangents(other, others)}});
+        list.frames.push_back({.normals = {surface_.normals[ends[0]], surface_.normals[ends[1]]},
+                               .tangents = {tangents(t, corners), tangents(other, others)},
+                               .is_hard = is_hard(surface_, t, k)});
+        list.edges.emplace_back(t, k);
       }
     }
     return list;
@@ -63,6 +68,31 @@ class Collector {
   const Atlas& atlas_;
   ChartEdges edges_;
 };
+
+// Edges are no longer hard where the normals of both sides differ little.
+void soften(const std::vector<ChartImage>& images, unsigned channels, SeamList& list, Surface& surface) {
+  for (std::size_t i = 0; i < list.seams.size(); ++i) {
+    SeamFrames& frames = list.frames[i];
+    if (!frames.is_hard) continue;
+    const Seam& seam = list.seams[i];
+    float cosines = 0, count = 0;
+    for_samples(images, seam, 1, [&](float t, const BilinearSample& a, const BilinearSample& b) {
+      const auto normal = [&](const ChartImage& image, const BilinearSample& sample,
+                              const std::array<Vector, 2>& ends) {
+        const Vector local{value_of(image, sample, channels, 0), value_of(image, sample, channels, 1),
+                           value_of(image, sample, channels, 2)};
+        return common::unit(
+            TangentFrame::of(frames.normals[0] * (1 - t) + frames.normals[1] * t, ends[0] * (1 - t) + ends[1] * t)
+                .to_world(local));
+      };
+      cosines += common::dot(normal(images[seam.a.chart], a, frames.tangents[0]),
+                             normal(images[seam.b.chart], b, frames.tangents[1]));
+      count += 1;
+    });
+    frames.is_hard = cosines < count * cosine_of_crease;
+    if (!frames.is_hard) set_soft(list.edges[i].first, list.edges[i].second, surface);
+  }
+}
 
 constexpr unsigned colours = 3;
 
@@ -114,14 +144,15 @@ void spread_colours(const Surface& surface, const std::vector<Chart>& charts, co
   } while (!found.empty());
 }
 
-void equalise_seams(const Surface& surface, const std::vector<Chart>& charts, const Atlas& atlas, unsigned channels,
+void equalise_seams(Surface& surface, const std::vector<Chart>& charts, const Atlas& atlas, unsigned channels,
                     std::vector<ChartMap>& maps) {
   const std::vector<ChartImage> images = images_of(maps);
-  const SeamList list = Collector(surface, charts, atlas).list();
+  SeamList list = Collector(surface, charts, atlas).list();
+  soften(images, channels, list, surface);
   equalise(images, channels, list.seams, {.levels = kept_levels, .first_level_channel = height_channel}, list.frames);
 }
 
-void equalise_seams(const Surface& surface, const std::vector<Chart>& islands, const Atlas& atlas, unsigned channels,
+void equalise_seams(Surface& surface, const std::vector<Chart>& islands, const Atlas& atlas, unsigned channels,
                     WholeMap& whole) {
   SeamList list = Collector(surface, islands, atlas).list();
   for (Seam& seam : list.seams) {
@@ -134,9 +165,9 @@ void equalise_seams(const Surface& surface, const std::vector<Chart>& islands, c
       side->chart = 0;
     }
   }
-  const ChartImage image{whole.map.width, whole.map.height, whole.map.values};
-  equalise({&image, 1}, channels, list.seams, {.levels = kept_levels, .first_level_channel = height_channel},
-           list.frames);
+  const std::vector<ChartImage> images{{whole.map.width, whole.map.height, whole.map.values}};
+  soften(images, channels, list, surface);
+  equalise(images, channels, list.seams, {.levels = kept_levels, .first_level_channel = height_channel}, list.frames);
 }
 
 }  // namespace glark::maps

@@ -10,12 +10,13 @@
 namespace glark::maps {
 
 // Makes the maps of two charts agree along the edges that they share. Normals next to these edges may have another
-// length than 1 afterwards.
-void equalise_seams(const Surface& surface, const std::vector<Chart>& charts, const Atlas& atlas, unsigned channels,
+// length than 1 afterwards. At hard edges, the normals of both sides stay as they are; edges where they hardly differ become
+// soft.
+void equalise_seams(Surface& surface, const std::vector<Chart>& charts, const Atlas& atlas, unsigned channels,
                     std::vector<ChartMap>& maps);
 
 // The same for islands of the mesh's own texture coordinates, whose maps are joined.
-void equalise_seams(const Surface& surface, const std::vector<Chart>& islands, const Atlas& atlas, unsigned channels,
+void equalise_seams(Surface& surface, const std::vector<Chart>& islands, const Atlas& atlas, unsigned channels,
                     WholeMap& whole);
 
 // Gives charts without points the colours of their neighbours, from the edges that they share into their middle.

@@ -48,6 +48,7 @@ class Baked:
     texcoords_fault: str
     charts: int
     empty_charts: int
+    hard_edges: int
     texels: int
     filled: int
     reach: float

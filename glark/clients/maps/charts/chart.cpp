@@ -70,6 +70,25 @@ void set_rectangle(Chart& chart, const Surface& surface) {
   chart.size = {high[0] - chart.low[0], high[1] - chart.low[1]};
 }
 
+// Guests are connected with the chart by edges that are not hard.
+void leave_out_guests_beyond_hard_edges(Chart& chart, const Surface& surface) {
+  std::vector<std::uint32_t> front = chart.triangles;
+  std::vector<bool> is_met(chart.guests.size());
+  for (std::size_t i = 0; i < front.size(); ++i) {
+    const std::uint32_t t = front[i];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto guest = std::lower_bound(chart.guests.begin(), chart.guests.end(), surface.neighbours[t][k]);
+      if (guest == chart.guests.end() || *guest != surface.neighbours[t][k] || is_hard(surface, t, k)) continue;
+      const auto at = static_cast<std::size_t>(guest - chart.guests.begin());
+      if (is_met[at]) continue;
+      is_met[at] = true;
+      front.push_back(*guest);
+    }
+  }
+  chart.guests.assign(front.begin() + static_cast<std::ptrdiff_t>(chart.triangles.size()), front.end());
+  std::sort(chart.guests.begin(), chart.guests.end());
+}
+
 // Guests are the triangles that share a vertex with the chart and face the same side.
 void find_guests(Chart& chart, const Surface& surface) {
   chart.guests.clear();
@@ -83,6 +102,7 @@ void find_guests(Chart& chart, const Surface& surface) {
     return common::dot(surface.triangle_normals[t], chart.normal) < least_guest_cosine ||
            std::binary_search(chart.triangles.begin(), chart.triangles.end(), t);
   });
+  if (!surface.hard.empty()) leave_out_guests_beyond_hard_edges(chart, surface);
 }
 
 }  // namespace

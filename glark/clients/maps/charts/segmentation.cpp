@@ -44,7 +44,7 @@ Labels label_by_tree(const Surface& surface) {
 }
 
 // Divides each label into its parts that are connected across edges. Labels are 0, 1, ... afterwards.
-std::uint32_t connect(const Surface& surface, Labels& labels) {
+std::uint32_t connect(const Surface& surface, bool cut, Labels& labels) {
   Labels parts(labels.size(), none);
   std::uint32_t count = 0;
   std::vector<std::uint32_t> open;
@@ -55,7 +55,9 @@ std::uint32_t connect(const Surface& surface, Labels& labels) {
     while (!open.empty()) {
       const std::uint32_t t = open.back();
       open.pop_back();
-      for (const std::uint32_t neighbour : surface.neighbours[t]) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::uint32_t neighbour = surface.neighbours[t][k];
+        if (cut && is_hard(surface, t, k)) continue;
         if (neighbour == none || parts[neighbour] != none || labels[neighbour] != labels[first]) continue;
         parts[neighbour] = count;
         open.push_back(neighbour);
@@ -71,8 +73,8 @@ std::uint32_t connect(const Surface& surface, Labels& labels) {
 // texels.
 class Merger {
  public:
-  Merger(const Surface& surface, Labels& labels, std::uint32_t count)
-      : surface_(surface), labels_(labels), triangles_(count), normals_(count) {
+  Merger(const Surface& surface, bool cut, Labels& labels, std::uint32_t count)
+      : surface_(surface), cut_(cut), labels_(labels), triangles_(count), normals_(count) {
     for (std::uint32_t t = 0; t < labels.size(); ++t) {
       triangles_[labels[t]].push_back(t);
       normals_[labels[t]] += area_normal(t);
@@ -95,18 +97,20 @@ class Merger {
 
   void merge_into_neighbour(std::uint32_t chart) {
     if (triangles_[chart].empty()) return;
-    std::map<std::uint32_t, float> borders;  // neighbour -> length of the common border
+    std::map<std::uint32_t, float> borders;  // neighbour -> length of the common border; below 0: it is partly hard
     for (const std::uint32_t t : triangles_[chart]) {
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t neighbour = surface_.neighbours[t][k];
         if (neighbour == none || labels_[neighbour] == chart) continue;
         const auto& corners = surface_.triangles[t];
-        borders[labels_[neighbour]] +=
-            common::length(surface_.positions[corners[(k + 1) % 3]] - surface_.positions[corners[k]]);
+        float& border = borders[labels_[neighbour]];
+        const float length = common::length(surface_.positions[corners[(k + 1) % 3]] - surface_.positions[corners[k]]);
+        border = border < 0 || (cut_ && is_hard(surface_, t, k)) ? -1 : border + length;
       }
     }
     std::vector<std::pair<float, std::uint32_t>> longest;
-    for (const auto& [neighbour, length] : borders) longest.emplace_back(-length, neighbour);
+    for (const auto& [neighbour, length] : borders)
+      if (length >= 0) longest.emplace_back(-length, neighbour);
     std::sort(longest.begin(), longest.end());
     for (const auto& [unused, neighbour] : longest) {
       if (!faces_one_side(chart, neighbour)) continue;
@@ -133,6 +137,7 @@ class Merger {
   }
 
   const Surface& surface_;
+  bool cut_;
   Labels& labels_;
   std::vector<std::vector<std::uint32_t>> triangles_;
   std::vector<Vector> normals_;
@@ -140,10 +145,11 @@ class Merger {
 
 }  // namespace
 
-std::vector<Chart> segment(const Surface& surface) {
+std::vector<Chart> segment(const Surface& surface, bool cut) {
   Labels labels = label_by_tree(surface);
-  Merger(surface, labels, connect(surface, labels)).merge();
-  std::vector<Chart> charts(connect(surface, labels));
+  const std::uint32_t count = connect(surface, cut, labels);
+  Merger(surface, cut, labels, count).merge();
+  std::vector<Chart> charts(connect(surface, cut, labels));
   for (std::uint32_t t = 0; t < labels.size(); ++t) charts[labels[t]].triangles.push_back(t);
   // New charts are appended, and divided as well if they overlap.
   for (std::size_t i = 0; i < charts.size(); ++i) {

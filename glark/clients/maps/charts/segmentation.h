@@ -12,6 +12,7 @@
 
 namespace glark::maps {
 
-std::vector<Chart> segment(const Surface& surface);
+// cut: no chart reaches across a hard edge, except around its end.
+std::vector<Chart> segment(const Surface& surface, bool cut = true);
 
 }  // namespace glark::maps

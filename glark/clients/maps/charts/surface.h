@@ -25,6 +25,7 @@ struct Surface {
   std::vector<std::array<std::uint32_t, 3>> triangles;    // vertices
   std::vector<Vector> triangle_normals;                   // of unit length; zero for a triangle without area
   std::vector<std::array<std::uint32_t, 3>> neighbours;   // across the edges 01, 12 and 20; `none` at a boundary
+  std::vector<std::array<bool, 3>> hard;                  // the edges where the fine surface has a crease; or empty
   std::vector<std::uint32_t> first_of_vertex, of_vertex;  // the triangles at each vertex, one list after the other
   std::vector<std::array<Point2, 3>> texcoords;       // of the triangles' corners, t = 0 is the lower edge; or empty
   std::vector<std::uint32_t> welded;                  // the vertex that each vertex of the mesh became
@@ -36,6 +37,11 @@ struct Surface {
 
 // Errors: as bake(), for the mesh.
 Surface surface_of(const CoarseMesh& mesh);
+
+// Whether the normals of the fine surface jump at an edge.
+inline bool is_hard(const Surface& surface, std::uint32_t triangle, std::size_t edge) {
+  return !surface.hard.empty() && surface.hard[triangle][edge];
+}
 
 // Returns the corner of a triangle, 0, 1 or 2, at one of its vertices.
 std::size_t corner_at(const Surface& surface, std::uint32_t triangle, std::uint32_t vertex);

@@ -139,10 +139,10 @@ class Differences {
 struct AllDifferences {
   Differences colour, normal, displacement;
 
-  void add(const Seen& a, const Seen& b) {
+  void add(const Seen& a, const Seen& b, bool is_hard) {
     const float cosine = common::dot(a.normal, b.normal);
     const float sine = common::length(common::cross(a.normal, b.normal));
-    normal.add(std::atan2(sine, cosine) * 180 / std::numbers::pi_v<float>);
+    if (!is_hard) normal.add(std::atan2(sine, cosine) * 180 / std::numbers::pi_v<float>);
     const Vector change = a.colour - b.colour;
     colour.add(std::max({std::abs(change.x), std::abs(change.y), std::abs(change.z)}));
     displacement.add(std::abs(a.height - b.height));
@@ -167,7 +167,8 @@ SeamJumps jumps_of(const Surface& surface, const ChartEdges& chart_edges, const 
       const int places = places_a_texel * static_cast<int>(std::ceil(std::hypot(b[0] - a[0], b[1] - a[1]))) + 1;
       for (int i = 0; i <= places; ++i) {
         const float s = static_cast<float>(i) / static_cast<float>(places);
-        all.add(reader.see(corner(t, from), corner(t, to), s), reader.see(corner(other, from), corner(other, to), s));
+        all.add(reader.see(corner(t, from), corner(t, to), s), reader.see(corner(other, from), corner(other, to), s),
+                is_hard(surface, t, k));
       }
       ++edges;
     }

@@ -13,6 +13,7 @@ namespace glark::maps {
 
 struct Census {
   std::vector<double> points;  // of each triangle; an estimate, because one point of several is looked at
+  std::vector<float> spreads;  // of normals, as find_hard_edges() needs them; empty without normals
   double points_with_foot = 0;
   double root_mean_square = 0;  // of the heights
 };

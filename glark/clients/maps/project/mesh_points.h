@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 namespace glark::maps {
@@ -35,6 +36,7 @@ class MeshPoints final : public stream::PointReader {
   double area_of(std::size_t triangle) const;
   // The most samples for pixels in a unit of area, so that all together are not too many.
   double density_of_pixels() const;
+  void add_vertex(std::uint32_t vertex);
   // The normal at a corner. corner: 3 * triangle + 0, 1 or 2
   const float* normal_at(std::size_t corner) const;
   const Picture* picture_of(std::size_t triangle) const;
@@ -52,10 +54,11 @@ class MeshPoints final : public stream::PointReader {
   std::string name_;
   stream::Schema schema_;
   std::uint64_t vertices_ = 0, next_ = 0;
-  std::vector<std::uint16_t> parts_;        // of the longest edge of each triangle
-  std::vector<std::uint64_t> first_;        // the first point of each triangle, and the end
-  std::vector<float> normals_;              // of the vertices, then of corners at creases
-  std::vector<std::uint32_t> creased_;      // the corners at creases, in their order
+  std::vector<std::uint16_t> parts_;                            // of the longest edge of each triangle
+  std::vector<std::uint64_t> first_;                            // the first point of each triangle, and the end
+  std::vector<float> normals_;                                  // of the vertices, then of corners at creases
+  std::vector<std::uint32_t> creased_;                          // the corners at creases, in their order
+  std::unordered_map<std::uint32_t, std::uint32_t> crease_of_;  // of vertices: one of the corners there
   std::vector<std::uint32_t> triangle_of_;  // one of the triangles of each vertex, for its colour; only with pictures
   std::vector<double> positions_, channels_;
   std::vector<float> out_normals_;

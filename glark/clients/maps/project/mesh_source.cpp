@@ -260,6 +260,7 @@ void MeshPoints::add_crease_normals() {
       if (meet(i / 3, other / 3)) sum += directions[other / 3] * static_cast<float>(area_of(other / 3));
     const common::Vector3f normal = common::unit(sum);
     creased_.push_back(i);
+    crease_of_.emplace(mesh_.triangles[i], i);
     normals_.insert(normals_.end(), {normal.x, normal.y, normal.z});
   }
 }
@@ -313,12 +314,25 @@ stream::Points MeshPoints::read(std::size_t most) {
   return points;
 }
 
+// A vertex at a crease has several normals. So its point lies a little beside it, on a triangle, and has the normal there.
+void MeshPoints::add_vertex(std::uint32_t vertex) {
+  if (const auto crease = crease_of_.find(vertex); crease != crease_of_.end()) {
+    const std::size_t t = crease->second / 3;
+    const double part = 0.1 / parts_[t];
+    std::array<double, 3> weights{part, part, part};
+    weights.at(crease->second % 3) = 1 - 2 * part;
+    add_mean(t, {mesh_.triangles[3 * t], mesh_.triangles[3 * t + 1], mesh_.triangles[3 * t + 2]},
+             {normal_at(3 * t), normal_at(3 * t + 1), normal_at(3 * t + 2)}, weights);
+    return;
+  }
+  const float* const normal = &normals_[3 * std::size_t{vertex}];
+  add_mean(triangle_of_.empty() ? no_picture : triangle_of_[vertex], {vertex, vertex, vertex}, {normal, normal, normal},
+           {1, 0, 0});
+}
+
 void MeshPoints::add_point(std::uint64_t index) {
   if (index < vertices_) {
-    const auto vertex = static_cast<std::uint32_t>(index);
-    const float* const normal = &normals_[3 * std::size_t{vertex}];
-    add_mean(triangle_of_.empty() ? no_picture : triangle_of_[vertex], {vertex, vertex, vertex},
-             {normal, normal, normal}, {1, 0, 0});
+    add_vertex(static_cast<std::uint32_t>(index));
     return;
   }
   const auto above = std::upper_bound(first_.begin(), first_.end(), index);

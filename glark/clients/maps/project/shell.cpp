@@ -19,6 +19,10 @@ constexpr float rounding = 1e-3F;
 // this one.
 constexpr float most_beyond = 0.15F;
 
+// At a crease, two triangles have feet of the same height: to this part of the reach. Their normals differ from that of the point
+// by angles whose cosines differ by more than this.
+constexpr float equal_heights = 1e-4F, other_cosine = 0.1F;
+
 constexpr float least_rise = 0.05F;  // of a normal over the triangle's plane; others have no foot there
 
 // The greatest change of a weight along a normal, for each unit of height.
@@ -147,12 +151,13 @@ std::optional<Foot> Shell::foot_of(Vector position, Vector normal) const {
   const std::size_t cell = cell_of(position);
   if (cell + 1 >= first_.size()) return std::nullopt;
   Foot best, nearest;
-  float best_height = reach_;
+  float best_height = reach_, best_cosine = -1;
   float least_beyond = most_beyond;
   for (std::uint32_t i = first_[cell]; i < first_[cell + 1]; ++i) {
     const std::uint32_t t = triangles_[i];
     const Prism& prism = prisms_[t];
-    if (common::dot(normal, prism.plane) < 0) continue;
+    const float cosine = common::dot(normal, prism.plane);
+    if (cosine < 0) continue;
     const Vector d = position - prism.corner;
     const OverPlane over{common::dot(prism.plane, d), common::dot(prism.to_first, d), common::dot(prism.to_second, d)};
     const float height = std::abs(over.height);
@@ -162,8 +167,12 @@ std::optional<Foot> Shell::foot_of(Vector position, Vector normal) const {
     if (!find(prism, over, foot)) continue;
     foot.triangle = t;
     const float beyond = -std::min({foot.weights[0], foot.weights[1], foot.weights[2]});
-    if (beyond <= rounding && std::abs(foot.height) <= best_height) {
+    const float higher = std::abs(foot.height) - best_height;
+    const bool is_at_crease = best.triangle != none && std::abs(higher) <= equal_heights * reach_ &&
+                              std::abs(cosine - best_cosine) > other_cosine;
+    if (beyond <= rounding && (is_at_crease ? cosine > best_cosine : higher <= 0)) {
       best_height = std::abs(foot.height);
+      best_cosine = cosine;
       best = foot;
     } else if (beyond < least_beyond && std::abs(foot.height) <= reach_) {
       least_beyond = beyond;

@@ -26,9 +26,12 @@ class Shell {
   // reach: the greatest height, in the unit of the positions. The surface must outlive the shell.
   Shell(const Surface& surface, double reach);
 
-  // Returns the lowest foot among those of triangles that face the same side as `normal`; zero: of all triangles.
+  // Returns the lowest foot among those of triangles that face the same side as `normal`; zero: of all triangles. Of two that
+  // are equally low, at a crease, it is that of the triangle whose normal is nearer.
   // Nothing if no foot is within reach.
   std::optional<Foot> foot_of(Vector position, Vector normal) const;
+
+  const Surface& surface() const { return surface_; }
 
  private:
   // In the coordinates of a triangle, which are the barycentric weights of the corners 1 and 2 and the height over the

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "glark/clients/maps/seams/equaliser.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -46,7 +47,22 @@ Equaliser::Equaliser(std::span<const ChartImage> charts, unsigned channels, std:
       samples_per_texel_(options.samples_per_texel),
       system_(charts, seams, options),
       equations_(system_, std::vector<double>(system_.rows().size(), 1.0)) {
-  if (!frames.empty()) turned_.emplace(system_, turns());
+  if (frames.empty()) return;
+  const std::vector<bool> hard = hard_samples();
+  turned_.emplace(system_, turns(), hard);
+  if (!hard.empty()) along_.emplace(system_, std::vector<double>(system_.rows().size(), 1.0), hard);
+}
+
+// Empty if there are none.
+std::vector<bool> Equaliser::hard_samples() const {
+  std::vector<bool> hard;
+  if (std::none_of(frames_.begin(), frames_.end(), [](const SeamFrames& frames) { return frames.is_hard; }))
+    return hard;
+  for_all_samples(charts_, seams_, samples_per_texel_,
+                  [&](std::size_t seam, float, const BilinearSample&, const BilinearSample&) {
+                    hard.push_back(frames_[seam].is_hard);
+                  });
+  return hard;
 }
 
 std::vector<std::complex<double>> Equaliser::turns() const {
@@ -68,7 +84,7 @@ void Equaliser::equalise_normals(int rounds, bool scale) {
     if (round > 0 && scale) scale_short_normals();
     const NormalDifferences left = differences_of_normals();
     const Eigen::VectorXcd across = turned_->correction(left.across);
-    const Eigen::VectorXd along = equations_.correction(left.along);
+    const Eigen::VectorXd along = (along_ ? *along_ : equations_).correction(left.along);
     set_values(0, values_of(0) - across.real());
     set_values(1, values_of(1) - across.imag());
     set_values(2, values_of(2) - along);
@@ -92,7 +108,8 @@ Equaliser::NormalDifferences Equaliser::differences_of_normals() const {
   for_all_samples(charts_, seams_, samples_per_texel_,
                   [&](std::size_t i, float part, const BilinearSample& a, const BilinearSample& b) {
                     const Frames at(frames_[i], part);
-                    const Vector left = at.difference(normal_of(seams_[i].a.chart, a), normal_of(seams_[i].b.chart, b));
+                    const Vector of_a = normal_of(seams_[i].a.chart, a), of_b = normal_of(seams_[i].b.chart, b);
+                    const Vector left = frames_[i].is_hard ? Vector{} : at.difference(of_a, of_b);
                     across.emplace_back(common::dot(left, at.a.tangent), common::dot(left, at.a.bitangent));
                     along.push_back(common::dot(left, at.a.normal));
                   });

@@ -34,6 +34,7 @@ class Equaliser {
     Eigen::VectorXd along;
   };
 
+  std::vector<bool> hard_samples() const;
   std::vector<std::complex<double>> turns() const;
   void scale_short_normals();
   NormalDifferences differences_of_normals() const;
@@ -49,6 +50,7 @@ class Equaliser {
   SeamSystem system_;
   SeamEquations<double> equations_;  // of channels that are the same on both sides
   std::optional<SeamEquations<std::complex<double>>> turned_;
+  std::optional<SeamEquations<double>> along_;  // of the third number of normals, if there are hard seams
 };
 
 }  // namespace glark::maps

@@ -98,7 +98,7 @@ void SeamSystem::set_order() {
   order_.resize(texels_.size());
   Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> new_to_old;
   const std::vector<double> turns(rows_.size(), 1.0);
-  Eigen::AMDOrdering<int>()(squares<double>(turns).selfadjointView<Eigen::Lower>(), new_to_old);
+  Eigen::AMDOrdering<int>()(squares<double>(turns, {}).selfadjointView<Eigen::Lower>(), new_to_old);
   for (std::size_t i = 0; i < order_.size(); ++i)
     order_[static_cast<std::size_t>(new_to_old.indices()[static_cast<Eigen::Index>(i)])] =
         static_cast<std::uint32_t>(i);
@@ -109,7 +109,8 @@ void SeamSystem::set_order() {
 }
 
 template <class Scalar>
-Eigen::SparseMatrix<Scalar> SeamSystem::squares(std::span<const Scalar> turns) const {
+Eigen::SparseMatrix<Scalar> SeamSystem::squares(std::span<const Scalar> turns,
+                                                const std::vector<bool>& left_out) const {
   const Incidence rows_at(unknowns(), 8 * rows_.size(), [&](std::size_t k) { return rows_[k / 8].unknowns[k % 8]; });
   const Incidence pairs_at(unknowns(), 2 * pairs_.size(), [&](std::size_t k) { return pairs_[k / 2][k % 2]; });
   const auto size = static_cast<Eigen::Index>(unknowns());
@@ -119,6 +120,7 @@ Eigen::SparseMatrix<Scalar> SeamSystem::squares(std::span<const Scalar> turns) c
   Column<Scalar> column(unknowns());
   for (std::uint32_t i = 0; i < unknowns(); ++i) {
     for (const std::uint32_t entry : rows_at[i]) {
+      if (!left_out.empty() && left_out[entry / 8]) continue;
       const SeamRow& row = rows_[entry / 8];
       const Scalar turn = turns[entry / 8], of_column = factor(row, entry % 8, turn);
       for (std::size_t k = 0; k < 8; ++k)

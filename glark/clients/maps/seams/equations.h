@@ -60,9 +60,9 @@ class SeamSystem {
 
   // The squares of the differences, and the weights of the changes: the lower triangle. Without weights of the difference
   // between the changes of neighbouring texels, texels that samples hardly depend on would stay behind an offset between
-  // two charts. turns: [rows] factors of side b.
+  // two charts. turns: [rows] factors of side b. left_out: [rows] samples that need not agree; or empty.
   template <class Scalar>
-  Eigen::SparseMatrix<Scalar> squares(std::span<const Scalar> turns) const;
+  Eigen::SparseMatrix<Scalar> squares(std::span<const Scalar> turns, const std::vector<bool>& left_out) const;
 
  private:
   using Pair = std::array<std::uint32_t, 2>;
@@ -84,9 +84,10 @@ class SeamEquations {
  public:
   using Values = Eigen::Matrix<Scalar, Eigen::Dynamic, 1>;
 
-  // turns: [rows] factors of side b in the differences a - turn * b.
-  SeamEquations(const SeamSystem& system, std::vector<Scalar> turns)
-      : system_(system), turns_(std::move(turns)), solver_(system.squares<Scalar>(turns_)) {}
+  // turns: [rows] factors of side b in the differences a - turn * b. left_out: as in squares(); corrections need the difference 0
+  // there.
+  SeamEquations(const SeamSystem& system, std::vector<Scalar> turns, const std::vector<bool>& left_out = {})
+      : system_(system), turns_(std::move(turns)), solver_(system.squares<Scalar>(turns_, left_out)) {}
 
   // Returns the differences of all samples; values: of the unknowns.
   Values differences(const Values& values) const;

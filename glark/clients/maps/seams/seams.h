@@ -32,6 +32,7 @@ struct Seam {
 struct SeamFrames {
   std::array<Vector, 2> normals;                  // the same on both sides
   std::array<std::array<Vector, 2>, 2> tangents;  // [side][end]
+  bool is_hard = false;                           // the normals of both sides shall differ
 };
 
 // A chart's texels, row by row; the values of a texel lie together.

@@ -172,6 +172,7 @@ Report report_of(const maps::Baked& model, double noise) {
   report["height"] = model.height;
   report["own_texture_coordinates"] = model.has_own_texcoords;
   report["charts"] = model.charts;
+  report["hard_edges"] = model.hard_edges;
   report["charts_without_points"] = model.empty_charts;
   report["texels"] = model.texels;
   report["texels_filled"] = model.filled;
