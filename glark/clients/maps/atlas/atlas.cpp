@@ -94,8 +94,8 @@ Atlas reduce(const std::vector<Chart>& charts, const std::vector<double>& densit
   if (!best)
     throw Error(
         Element::option, 0,
-        fmt::format("texture_memory allows maps of {} texels, but the coarse mesh has {} charts, which need more; "
-                    "raise it, or give a mesh of fewer triangles",
+        fmt::format("the maps may have {} texels, but the coarse mesh has {} charts, which need more; give more "
+                    "texture_memory or a larger size, or a mesh of fewer triangles",
                     limits.most_texels, charts.size()));
   double low = 0, high = most_scale;
   for (int step = 0; step < 12; ++step) {
