@@ -94,9 +94,9 @@ TEST_F(MapsInC, TextureCoordinatesOfTheMeshAreKept) {
   for (std::uint32_t i = 0; i < octahedron_triangles.size(); ++i) {
     const float* const p = &octahedron[3 * std::size_t{octahedron_triangles[i]}];
     positions.insert(positions.end(), {p[0], p[1], p[2]});
-    const std::uint32_t t = i / 3;
+    const std::uint32_t t = i / 3, row = t / 4;
     texcoords.push_back((static_cast<float>(t % 4) + (i % 3 == 1 ? 0.9F : 0.2F)) / 4);
-    texcoords.push_back((static_cast<float>(t / 4) + (i % 3 == 2 ? 0.9F : 0.2F)) / 2);
+    texcoords.push_back((static_cast<float>(row) + (i % 3 == 2 ? 0.9F : 0.2F)) / 2);
     triangles.push_back(i);
   }
   const glark_maps_coarse_mesh mesh{{1, 0, 0}, array(positions), {}, array(triangles), array(texcoords)};

@@ -44,6 +44,7 @@ inline OwnMesh cube_sphere(std::uint32_t parts, Layout layout = Layout::plain, d
   for (unsigned face = 0; face < 6; ++face) {
     const std::uint32_t first = mesh.vertices();
     const std::size_t axis = face % 3;
+    const unsigned cell_row = face / 3;
     for (std::uint32_t row = 0; row <= parts; ++row) {
       for (std::uint32_t column = 0; column <= parts; ++column) {
         const double u = double(column) / parts, v = double(row) / parts;
@@ -57,7 +58,7 @@ inline OwnMesh cube_sphere(std::uint32_t parts, Layout layout = Layout::plain, d
         for (double& x : p) x /= length;
         const double along = layout == Layout::mirrored && face % 2 == 1 ? 1 - u : u;
         mesh.add_vertex(p, (face % 3 + margin + (1 - 2 * margin) * along) / 3,
-                        (face / 3 + margin + (1 - 2 * margin) * v) / 2);
+                        (cell_row + margin + (1 - 2 * margin) * v) / 2);
       }
     }
     mesh.add_grid(first, parts + 1, parts + 1);

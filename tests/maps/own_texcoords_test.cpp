@@ -19,7 +19,7 @@
 namespace glark::maps::test {
 namespace {
 
-Baked bake_bumps_onto(const OwnMesh& mesh, BakeOptions options = {}) {
+Baked bake_bumps_onto(const OwnMesh& mesh, const BakeOptions& options = {}) {
   const Sphere fine = sphere_of(6, true);
   return bake(mesh.coarse(), mesh_source(fine.fine(), 0.02), options);
 }
