@@ -165,29 +165,6 @@ std::optional<std::string> run(Test& t, const RandomProgram& program) {
   return wrong;
 }
 
-RandomProgram shortest(const RandomProgram& program, const std::function<bool(const RandomProgram&)>& fails,
-                       int most_runs) {
-  RandomProgram best = program;
-  std::size_t part = std::max<std::size_t>(1, best.steps.size() / 2);
-  for (int runs = 0; runs < most_runs;) {
-    bool is_shorter = false;
-    for (std::size_t first = 0; first < best.steps.size() && runs < most_runs; ++runs) {
-      RandomProgram tried = best;
-      const auto begin = tried.steps.begin() + static_cast<std::ptrdiff_t>(first);
-      tried.steps.erase(begin, begin + static_cast<std::ptrdiff_t>(std::min(part, tried.steps.size() - first)));
-      if (!tried.steps.empty() && fails(tried)) {
-        best = tried;
-        is_shorter = true;
-      } else {
-        first += part;
-      }
-    }
-    if (part == 1 && !is_shorter) break;
-    part = std::max<std::size_t>(1, part / 2);
-  }
-  return best;
-}
-
 std::string text_of(const RandomProgram& program) {
   std::string text = fmt::format("{} triangles", program.triangles);
   for (const Step& step : program.steps) {

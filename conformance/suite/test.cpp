@@ -60,7 +60,8 @@ Test::Test(Platform& platform, Api api, std::string_view name, unsigned random_s
     : platform_(platform),
       api_(api),
       context_(platform.create_context(api, nullptr)),
-      random_(hash_of(name) ^ random_seed) {
+      random_(hash_of(name) ^ random_seed),
+      seed_(random_seed) {
   load_functions(platform, is_gles());
 }
 

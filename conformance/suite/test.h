@@ -65,6 +65,8 @@ class Test {
   void attach(std::string_view name, const Picture& picture);
 
   std::mt19937& random() { return random_; }
+  // What --seed says, without the case's name: cases that share a plan need it.
+  unsigned seed() const { return seed_; }
   // Uniform in [low, high].
   int random_int(int low, int high);
   float random_float(float low, float high);
@@ -81,6 +83,7 @@ class Test {
   Api api_;
   std::unique_ptr<Context> context_;
   std::mt19937 random_;
+  unsigned seed_;
   int expectations_ = 0;
   Verdict verdict_ = Verdict::pass;
   std::vector<std::string> messages_;

@@ -47,6 +47,7 @@ class Show(unittest.TestCase):
 
     def test_compiles(self):
         for case in ("ark.draw.again.other_command", "ark.change.result.get_query_objectuiv", "ark.random.program_00",
+                     "ark.random.stage_00",
                      "ark.change.texture.tex_image2_d", "ark.list.again.attributes", "ark.usage.fixed_function"):
             with self.subTest(case):
                 status, text, errors = show(case)

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 #include "conformance/changes/random_program.h"
+#include "conformance/changes/shortest.h"
 
 #include <gtest/gtest.h>
 
@@ -22,7 +23,7 @@ bool has(const RandomProgram& program, int history) {
 
 TEST(RandomProgram, ShortestKeepsOnlyTheStepsThatFail) {
   const auto fails = [](const RandomProgram& tried) { return has(tried, 3) && has(tried, 40) && has(tried, 41); };
-  const RandomProgram best = shortest(program_of(60), fails, 300);
+  const RandomProgram best = shortest<RandomProgram>(program_of(60), fails, 300);
   ASSERT_EQ(best.steps.size(), 3U);
   EXPECT_TRUE(fails(best));
 }
@@ -33,13 +34,13 @@ TEST(RandomProgram, ShortestEndsWhenItMayNotRunMore) {
     ++runs;
     return has(tried, 7);
   };
-  EXPECT_TRUE(has(shortest(program_of(60), fails, 5), 7));
+  EXPECT_TRUE(has(shortest<RandomProgram>(program_of(60), fails, 5), 7));
   EXPECT_LE(runs, 5);
 }
 
 TEST(RandomProgram, ShortestLeavesNoStepsOutThatAllFail) {
   const auto fails = [](const RandomProgram& tried) { return tried.steps.size() == 8; };
-  EXPECT_EQ(shortest(program_of(8), fails, 300).steps.size(), 8U);
+  EXPECT_EQ(shortest<RandomProgram>(program_of(8), fails, 300).steps.size(), 8U);
 }
 
 }  // namespace
