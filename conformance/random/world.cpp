@@ -238,7 +238,7 @@ void World::make_fixed() {
   gl.EnableClientState(GL_VERTEX_ARRAY);
   for (GLuint list = 1; list <= 6; ++list) {
     gl.NewList(list, GL_COMPILE);
-    gl.Color3f(0.25F * static_cast<float>(list), 0.5F, 1);
+    gl.Color4f(0.25F * static_cast<float>(list), 0.5F, 1, 1);
     gl.EndList();
   }
 }

@@ -133,6 +133,28 @@ static void show_normal_scale(void) {
   glDisable(GL_RESCALE_NORMAL);
 }
 
+// OpenGL 4.6 compatibility, 12.2.1.1: the vector from a vertex to a light divides both by their w. All four corners have the
+// same colour, 0.8 / sqrt(3) and some ambient light.
+static void show_light_of_w(void) {
+  static const float position[] = {0, 0, 1, 1};
+  GLubyte pixel[4];
+  glUseProgram(0);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glLightfv(GL_LIGHT0, GL_POSITION, position);
+  glEnable(GL_LIGHT0);
+  glEnable(GL_LIGHTING);
+  glBegin(GL_QUADS);
+  glNormal3f(0, 0, 1);
+  glVertex4f(-2, -2, 0, 2);
+  glVertex4f(2, -2, 0, 2);
+  glVertex4f(2, 2, 0, 2);
+  glVertex4f(-2, 2, 0, 2);
+  glEnd();
+  glDisable(GL_LIGHTING);
+  glReadPixels(4, 4, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+  print_fault("light_of_w", pixel[0] > 100, 1, "says whether a light takes the place of a vertex with a w of 2");
+}
+
 // OpenGL 4.6 compatibility, 17.4: both are allowed. Where depths change their sign, refinement shows it.
 static void show_fog_of_fragments(void) {
   const float black[] = {0, 0, 0, 1};
@@ -197,5 +219,6 @@ void show_other_faults(int version) {
     show_data_after_query();
   }
   show_normal_scale();
+  show_light_of_w();
   show_fog_of_fragments();
 }

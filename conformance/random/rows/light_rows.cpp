@@ -32,9 +32,13 @@ void light_colour(World& w) {
   gl.Lightiv(light, name, integers.data());
 }
 
-// No vertex has so great a z, so no light lies at a vertex. Only the first light is a direction: the others attenuate.
+// No vertex has so great a z, so no light lies at a vertex. The first light may be a direction, the others attenuate. In a
+// world of polygons, all are directions: their vertices have a w.
 void light_position(World& w, GLenum light) {
-  const float last = light == GL_LIGHT0 ? w.values.pick({0.0F, 0.0F, 1.0F}) : w.values.pick({1.0F, 2.0F, 0.5F, -1.0F});
+  const bool is_direction = w.kind == WorldKind::polygons;
+  const float last = is_direction         ? 0
+                     : light == GL_LIGHT0 ? w.values.pick({0.0F, 0.0F, 1.0F})
+                                          : w.values.pick({1.0F, 2.0F, 0.5F, -1.0F});
   const std::array<GLfloat, 4> position = {w.values.number(), w.values.number(), w.values.pick({5.3F, -6.1F, 9.7F}),
                                            last};
   if (w.values.coin()) return gl.Lightfv(light, GL_POSITION, position.data());
@@ -54,7 +58,7 @@ void attenuation(World& w) {
 void light_model(World& w) {
   switch (w.values.below(4)) {
     case 0: gl.LightModelfv(GL_LIGHT_MODEL_AMBIENT, any_vector(w).data()); break;
-    case 1: gl.LightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, w.values.between(0, 1)); break;
+    case 1: gl.LightModeli(GL_LIGHT_MODEL_LOCAL_VIEWER, w.kind == WorldKind::fixed ? w.values.between(0, 1) : 0); break;
     case 2: gl.LightModelf(GL_LIGHT_MODEL_TWO_SIDE, static_cast<GLfloat>(w.values.between(0, 1))); break;
     default:
       gl.LightModeli(GL_LIGHT_MODEL_COLOR_CONTROL, w.values.pick<GLint>({GL_SINGLE_COLOR, GL_SEPARATE_SPECULAR_COLOR}));
