@@ -18,7 +18,7 @@ class Values {
 
   // Not a distribution of the library: these differ from implementation to implementation.
   std::size_t below(std::size_t bound) { return random_() % bound; }
-  int between(int low, int high) { return low + static_cast<int>(below(static_cast<std::size_t>(high - low + 1))); }
+  int between(int low, int high) { return low + static_cast<int>(below(static_cast<unsigned>(high - low + 1))); }
   bool coin() { return (random_() & 16U) != 0; }
   std::uint32_t seed() { return static_cast<std::uint32_t>(random_()); }
 

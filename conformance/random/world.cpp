@@ -47,7 +47,8 @@ std::vector<Place> places_of(unsigned salt, bool is_fixed) {
     const int triangle = i % drawn_vertices / 3;
     const int corner = i % 3;
     const float left = -0.95F + 0.48F * static_cast<float>(triangle % 4) + 0.03F * static_cast<float>(salt);
-    const float low = -0.95F + 0.48F * static_cast<float>(triangle / 4);
+    const int row = triangle / 4;
+    const float low = -0.95F + 0.48F * static_cast<float>(row);
     const float x = left + (corner == 1 ? 0.44F : corner == 2 ? 0.1F : 0.0F);
     const float y = low + (corner == 2 ? 0.42F : 0.0F);
     const auto tag = static_cast<std::uint8_t>((triangle + (triangle % 2) * corner) % 4);

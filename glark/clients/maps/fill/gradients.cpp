@@ -13,7 +13,9 @@ namespace {
 
 using common::Float4;
 
-constexpr unsigned most_steps = 10000;
+constexpr std::size_t most_steps = 10000;
+constexpr std::size_t enough_steps = 500;                // a step carries values one texel farther
+constexpr std::size_t most_work = std::size_t{4} << 30;  // texels times steps beyond which so many are enough
 constexpr unsigned calm_steps = 4;  // so many in a row change little, because a single one may do so by chance
 
 using Sums = std::array<double, 4>;  // of each channel
@@ -92,8 +94,10 @@ unsigned Gradients::improve(const Raster& raster, unsigned first, const TexelLis
     residual_[k] = direction_[texels_[k]] = sum - values_[texels_[k]] * count;
     add_product(squares, residual_[k], residual_[k]);
   }
+  const auto last =
+      static_cast<unsigned>(std::clamp(most_work / std::max<std::size_t>(1, texels_.size()), enough_steps, most_steps));
   unsigned step = 0;
-  for (unsigned calm = 0; step < most_steps && calm < calm_steps; ++step) {
+  for (unsigned calm = 0; step < last && calm < calm_steps; ++step) {
     Sums energy{};
     for (std::size_t k = 0; k < texels_.size(); ++k) {
       const Float4 sum = around(direction_, texels_[k], count);
