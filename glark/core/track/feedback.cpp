@@ -69,6 +69,7 @@ void EndTransformFeedback(Context& c) {
 void PauseTransformFeedback(Context& c) {
   if (c.stages() != nullptr && c.stages()->feedback().ours() && !c.state().bindings().transform_feedback.paused) {
     c.state().bindings().transform_feedback.paused = true;  // between our draws it is already paused
+    c.writes().by_gpu();                                    // what it captured may be drawn now
     return;
   }
   c.gl().PauseTransformFeedback();

@@ -51,6 +51,44 @@ TEST_P(KeptVertices, PoolsOfOtherLevels) {
   }
 }
 
+// While a feedback is paused, the program draws what was captured so far.
+TEST_P(KeptVertices, BufferOfAPausedFeedback) {
+  refine_uniformly(1, GL_LINEAR_INPUTS_ARK);
+  const GLuint program = link_program(
+      {.vertex = "#version 430\nlayout(location = 0) in vec2 position; uniform vec2 place; out vec2 captured;\n"
+                 "void main() { captured = 0.4 * position + place; gl_Position = vec4(position, 0.0, 1.0); }\n",
+       .fragment = "#version 430\nout vec4 result;\nvoid main() { result = vec4(1.0); }\n",
+       .varyings = {"captured"}});
+  constexpr GLsizei captured_vertices = 24;  // of two refined draws of a triangle
+  const GLuint buffer = make_buffer(GL_TRANSFORM_FEEDBACK_BUFFER, std::vector<GLfloat>(2 * captured_vertices));
+  glBindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer);
+  GLuint array = 0;
+  glGenVertexArrays(1, &array);
+  glBindVertexArray(array);
+  glBindBuffer(GL_ARRAY_BUFFER, buffer);
+  float_attribute(0, 2);
+  const auto draw_captured = [] { glDrawArrays(GL_TRIANGLES, 0, captured_vertices); };
+  glUseProgram(program);
+  glBindVertexArray(array_);
+  glBeginTransformFeedback(GL_TRIANGLES);
+  std::vector<Picture> pictures;
+  for (const GLfloat place : {-0.5F, 0.5F}) {
+    glUniform2f(glGetUniformLocation(program, "place"), place, 0);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glPauseTransformFeedback();
+    glBindVertexArray(array);
+    repeat_often(draw_captured);
+    glClear(GL_COLOR_BUFFER_BIT);
+    draw_captured();
+    pictures.push_back(read_picture());
+    glBindVertexArray(array_);
+    glResumeTransformFeedback();
+  }
+  glEndTransformFeedback();
+  EXPECT_GT(differing_pixels(pictures[0], pictures[1]), visible_pixels) << "what was captured later is missing";
+  EXPECT_EQ(pending_errors(), "");
+}
+
 TEST_P(KeptVertices, UniformsOfTheApplication) {
   refine_uniformly(2, GL_LINEAR_INPUTS_ARK);
   const GLuint program = link_program(
