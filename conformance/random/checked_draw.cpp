@@ -78,17 +78,21 @@ class CheckedDraw {
     return result;
   }
 
-  // Whatever masks and tests are set.
+  // Makes the surface black, whatever masks and tests are set. Not by ClearBufferfv: without refinement, too, Mesa 22.3
+  // leaves the surface of a core context by EGL as it is.
   static void prepare_surface() {
-    const float black[] = {0, 0, 0, 1};
+    GLfloat colour[4] = {};
     GLboolean mask[4] = {};
+    gl.GetFloatv(GL_COLOR_CLEAR_VALUE, colour);
     gl.GetBooleanv(GL_COLOR_WRITEMASK, mask);
     const bool scissor = gl.IsEnabled(GL_SCISSOR_TEST) == GL_TRUE;
     const bool discard = gl.IsEnabled(GL_RASTERIZER_DISCARD) == GL_TRUE;
     if (scissor) gl.Disable(GL_SCISSOR_TEST);
     if (discard) gl.Disable(GL_RASTERIZER_DISCARD);
     gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    gl.ClearBufferfv(GL_COLOR, 0, black);
+    gl.ClearColor(0, 0, 0, 1);
+    gl.Clear(GL_COLOR_BUFFER_BIT);
+    gl.ClearColor(colour[0], colour[1], colour[2], colour[3]);
     gl.ColorMask(mask[0], mask[1], mask[2], mask[3]);
     if (scissor) gl.Enable(GL_SCISSOR_TEST);
     if (discard) gl.Enable(GL_RASTERIZER_DISCARD);

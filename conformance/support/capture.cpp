@@ -68,8 +68,8 @@ void refine_by_tags(GLuint pool_level, GLenum refinement) {
 }
 
 void clear_surface() {
-  // On Viewport, an implementation may read its state from GL again, which hides what it failed to follow. So Viewport is
-  // called only where it changes something.
+  // After Viewport, an implementation may read its state from GL again. That would hide a change that it has missed. So
+  // Viewport is called only if the viewport differs.
   GLint viewport[4] = {};
   gl.GetIntegerv(GL_VIEWPORT, viewport);
   if (viewport[0] != 0 || viewport[1] != 0 || viewport[2] != surface_size || viewport[3] != surface_size)

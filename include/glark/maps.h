@@ -133,7 +133,7 @@ struct SeamJumps {
 struct Baked {
   std::array<double, 3> origin{};
   std::vector<float> positions, normals;  // [3 * vertices]; normals have unit length
-  // [4 * vertices]: the direction of the first texture coordinate, and 1; -1 where the mesh's own coordinates are mirrored
+  // [4 * vertices]: the direction in which s grows, and a sign: -1 where the mesh's own coordinates are mirrored, otherwise 1
   std::vector<float> tangents;
   std::vector<float> texcoords;          // [2 * vertices], 0 to 1; the first row of a map is at t = 0
   std::vector<std::uint32_t> triangles;  // [3 * triangles], in the order of the coarse mesh

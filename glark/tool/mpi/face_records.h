@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The triangles of a binary PLY file, read from any of them on. This works if all faces are triangles: then their records
-// have one size.
+// Reads the triangles of a binary PLY file, beginning with any of them. All faces must be triangles, so that their records
+// have the same size.
 #pragma once
 
 #include <array>

@@ -90,7 +90,7 @@ class RankMesh {
  private:
   bool is_first() const { return ranks_.rank() == 0; }
 
-  // Each rank reads a range. Returns false if the triangles cannot be read so.
+  // Each rank reads a range of the triangles. Returns false if the file does not allow that.
   bool read_triangles(Sheets& sheets) {
     std::unique_ptr<stream::PointReader> points;
     std::unique_ptr<FaceRecords> faces;

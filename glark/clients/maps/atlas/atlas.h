@@ -52,8 +52,8 @@ struct AtlasLimits {
 Atlas pack(const std::vector<Chart>& charts, const Surface& surface, std::span<const double> wanted,
            const AtlasLimits& limits);
 
-// Places the islands of the mesh's own texture coordinates where these say. All of them together get as many texels as are
-// wanted, as far as the limits allow. Places may overlap.
+// Keeps each island of the mesh's own texture coordinates in its place in the texture. The size of the texture is chosen so
+// that all islands together have the wanted number of texels, within the limits. Places may overlap.
 Atlas keep_places(const std::vector<Chart>& islands, const Surface& surface, double wanted, const AtlasLimits& limits);
 
 // The triangle of a chart in texels of its place.

@@ -182,7 +182,7 @@ void warn_of_points(const std::string& file, const geometry::Geometry& geometry,
     return static_cast<double>(without) > static_cast<double>(known) + many * static_cast<double>(points);
   };
   const std::size_t known = outliers + counts.loose_points;
-  // Of several points at one place, one has triangles.
+  // If several points have the same position, strips use only one of them.
   if (is_many(known) && is_many(known + points - geometry::topology_of(geometry).places))
     warn(
         fmt::format("{}: {} of {} points have no triangle; if they are the corners of large triangles, take points "
