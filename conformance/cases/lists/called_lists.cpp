@@ -6,6 +6,7 @@
 #include "conformance/cases/cases.h"
 #include "conformance/cases/lists/immediate_triangle.h"
 #include "conformance/support/refined_draw.h"
+#include "conformance/support/state.h"
 
 namespace glark::conformance {
 namespace {
