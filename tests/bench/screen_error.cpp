@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 #include "tests/bench/gl.h"
 #include "tests/bench/offscreen.h"
@@ -59,6 +60,7 @@ ErrorMeter::ErrorMeter(const Competitor& true_surface, double pixels_at_one)
       contour_ += right || above ? 1 : 0;
     }
   }
+  if (contour_ == 0) throw std::runtime_error("the true surface shows nothing");
 }
 
 ScreenErrors ErrorMeter::of(const Competitor& competitor) const {

@@ -90,10 +90,46 @@ void check_counts(Test& t, const Measure& measure, bool is_welded) {
   t.expect_no_error("the draws");
 }
 
+// The tagged triangles are not the same in any two frames, so nothing that is kept can hide them.
+void check_budget_beside_tags(Test& t) {
+  constexpr GLint budget = 2000;
+  constexpr int measured_triangles = 16;
+  constexpr int tagged_triangles = 20;
+  gl.UseProgram(colour_program(t));
+  refine_by_tags(6);
+  gl.ARKParameteriARK(GL_EDGE_PIXELS_ARK, 2);
+  gl.Viewport(0, 0, surface_size, surface_size);
+  const auto triangles_in_a_frame = [&](int frame) {
+    Mesh mesh;
+    for (int i = 0; i < measured_triangles + tagged_triangles; ++i) {
+      Mesh one = one_triangle({4, 5, 4});
+      one[0].position[2] = i < measured_triangles ? 0.0F : 0.001F * static_cast<float>(frame);
+      mesh.insert(mesh.end(), one.begin(), one.end());
+    }
+    upload(mesh);
+    gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_DEPTH_TAG_ARK);
+    gl.DrawArrays(GL_TRIANGLES, 3 * measured_triangles, 3 * tagged_triangles);
+    gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_MEASURED_DEPTH_ARK);
+    const GLuint measured = count_of(0, measured_triangles);
+    t.context().end_frame();
+    return measured;
+  };
+  t.require(triangles_in_a_frame(0) > budget, "without a budget there are many triangles");
+  gl.ARKParameteriARK(GL_TRIANGLE_BUDGET_ARK, budget);
+  GLuint last = 0;
+  for (int frame = 0; frame < 40; ++frame) last = triangles_in_a_frame(frame);
+  t.expect(last <= budget, fmt::format("{} triangles with a budget of {}", last, budget));
+  t.expect(last >= budget / 4, fmt::format("{} triangles are at least a quarter of the budget", last));
+}
+
 }  // namespace
 
 Cases measured_counts_cases() {
-  Cases cases;
+  Cases cases{{.name = "ark.depth.budget.beside_tags",
+               .clauses = {"11.R.4-28"},
+               .plan = "Draw measured triangles with a budget, and in every frame before them others with tags.",
+               .wrong = "The triangles with tags use up the budget, and those with measured depths stay coarse.",
+               .check = check_budget_beside_tags}};
   for (const Measure& measure : measures)
     for (const bool is_welded : {false, true})
       cases.push_back({.name = fmt::format("ark.depth.counts.{}{}", measure.leaf, is_welded ? ".welded" : ""),

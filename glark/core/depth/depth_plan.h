@@ -12,7 +12,7 @@ namespace glark::depth {
 // What the budget of triangles pays for.
 struct BudgetPlan {
   bool curves_only = false;  // straight edges have depth 0, and triangles with three of them do not count
-  bool counted = true;       // the triangles of this draw count
+  bool counted = false;      // the triangles of this draw count: their depths are measured
 };
 
 inline constexpr int corners_only = 3;

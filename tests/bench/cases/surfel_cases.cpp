@@ -121,7 +121,7 @@ void report_frame(Report& report, const std::string& name, const Points& points,
   glNormalPointer(GL_FLOAT, 0, nullptr);
   glEnableClientState(GL_VERTEX_ARRAY);
   glEnableClientState(GL_NORMAL_ARRAY);
-  for (const GLenum what : {GL_DEPTH_TEST, GL_CULL_FACE, GL_LIGHTING, GL_LIGHT0}) glEnable(what);
+  for (const GLenum what : {GL_CULL_FACE, GL_LIGHTING, GL_LIGHT0}) glEnable(what);
   glMatrixMode(GL_PROJECTION);
   glPushMatrix();
   glLoadMatrixf(view.clip_from_object.data());
@@ -150,7 +150,7 @@ void report_frame(Report& report, const std::string& name, const Points& points,
                {"points", static_cast<double>(frame.points.size())},
                {"level", static_cast<double>(frame.level)}}});
   glPopMatrix();
-  for (const GLenum what : {GL_DEPTH_TEST, GL_CULL_FACE, GL_LIGHTING, GL_LIGHT0}) glDisable(what);
+  for (const GLenum what : {GL_CULL_FACE, GL_LIGHTING, GL_LIGHT0}) glDisable(what);
   glDisableClientState(GL_VERTEX_ARRAY);
   glDisableClientState(GL_NORMAL_ARRAY);
   glBindBuffer(GL_ARRAY_BUFFER, 0);

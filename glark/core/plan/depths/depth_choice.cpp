@@ -30,7 +30,7 @@ depth::DepthPlan wanted_depths(const DepthFacts& facts) {
   const bool transparent = facts.options.transparent;
   depth::DepthPlan plan;
   if (facts.measurable) {
-    plan.adaptive = plan.measured = true;
+    plan.adaptive = plan.measured = plan.budget.counted = true;
     plan.measure = edge_measure(facts.options, facts.ark);
     plan.deepest = transparent ? facts.options.max_level : static_cast<unsigned>(std::max(facts.ark.pool_level, 0));
     return plan;

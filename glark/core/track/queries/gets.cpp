@@ -4,6 +4,7 @@
 // Hooks of the queries: the extension's own state, its name among the extensions, and its errors.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <string_view>
 
@@ -41,6 +42,15 @@ std::optional<GLdouble> extension_state(const Context& c, GLenum name) {
   return parameter != nullptr ? std::optional(parameter->get(ark)) : std::nullopt;
 }
 
+template <typename Integer>
+Integer nearest_integer(GLdouble value) {
+  constexpr auto least = static_cast<GLdouble>(std::numeric_limits<Integer>::min());
+  if (value >= -least) {  // the greatest integer of 64 bits is no double
+    return std::numeric_limits<Integer>::max();
+  }
+  return static_cast<Integer>(std::round(std::max(value, least)));
+}
+
 // Writes our state, or leaves the query to GL. Returns whether it was ours.
 template <typename Value>
 bool answer(Context& c, GLenum name, Value* data) {
@@ -53,7 +63,7 @@ bool answer(Context& c, GLenum name, Value* data) {
     if constexpr (std::is_same_v<Value, GLboolean>) {
       *data = *value != 0 ? GL_TRUE : GL_FALSE;
     } else if constexpr (std::is_integral_v<Value>) {
-      *data = static_cast<Value>(std::clamp(std::round(*value), -2147483648.0, 2147483647.0));
+      *data = nearest_integer<Value>(*value);
     } else {
       *data = static_cast<Value>(*value);
     }

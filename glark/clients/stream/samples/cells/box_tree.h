@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "glark/clients/stream/samples/cells/sample_cells.h"
@@ -42,20 +44,34 @@ class BoxTree {
     return sum;
   }
 
+  // Returns up to eight boxes from the first one on, the nearest one first. (std::sort of so small an array makes GCC 14
+  // warn of its bounds.)
+  static std::span<Child> sort_by_distance(const std::vector<CellBox>& boxes, std::size_t first,
+                                           const common::Vector3f& point, std::array<Child, width>& children) {
+    auto end = children.begin();
+    for (std::size_t i = first; i < boxes.size() && end != children.end(); ++i, ++end) {
+      const Child child = {squared_distance(boxes[i], point), i};
+      const auto place = std::upper_bound(children.begin(), end, child,
+                                          [](const Child& a, const Child& b) { return a.square < b.square; });
+      std::move_backward(place, end, end + 1);
+      *place = child;
+    }
+    return {children.begin(), end};
+  }
+
   template <class Worst, class Visit>
   void each_near(std::size_t level, std::size_t first, const common::Vector3f& point, const Worst& worst,
                  const Visit& visit) const {
     const std::vector<CellBox>& boxes = levels_[level];
     std::array<Child, width> children;
-    const std::size_t count = std::min(width, boxes.size() - first);
-    for (std::size_t i = 0; i < count; ++i) children[i] = {squared_distance(boxes[first + i], point), first + i};
-    std::sort(children.begin(), children.begin() + static_cast<std::ptrdiff_t>(count),
-              [](const Child& a, const Child& b) { return a.square < b.square; });
-    for (std::size_t i = 0; i < count && children[i].square <= worst(); ++i)
+    const std::span<Child> sorted = sort_by_distance(boxes, first, point, children);
+    for (const Child& child : sorted) {
+      if (child.square > worst()) break;
       if (level == 0)
-        visit(static_cast<std::uint32_t>(children[i].number));
+        visit(static_cast<std::uint32_t>(child.number));
       else
-        each_near(level - 1, width * children[i].number, point, worst, visit);
+        each_near(level - 1, width * child.number, point, worst, visit);
+    }
   }
 
   std::vector<std::vector<CellBox>> levels_;  // the cells first, at most eight boxes last
