@@ -133,7 +133,7 @@ struct StaticScene {
     return prefix + name_of(shading, way) + "/level" + std::to_string(level);
   }
 };
-constexpr StaticScene large_objects{"scene/", few, 100, 0.8};
+constexpr StaticScene large_objects{"scene/", few, 100, like_static};
 constexpr StaticScene small_objects{"scene/many/", many, 12, 1 / 1.15};
 
 // Compares a frame of objects with a frame of the refined objects.
