@@ -196,7 +196,7 @@ void bind_bake(py::module_& module) {
          const Whole<std::size_t>& texture_memory, const Whole<unsigned>& most_side, double noise,
          double texels_per_point, double reach, bool skip_invalid, const Whole<unsigned>& threads,
          const OptionalArray<float>& texcoords, const std::string& texture_coordinates,
-         const std::array<unsigned, 2>& size) {
+         const std::array<unsigned, 2>& size, const std::filesystem::path& work, bool resume) {
         const maps::CoarseMesh mesh{.origin = origin,
                                     .positions = rows(positions, 3, "positions"),
                                     .normals = rows(normals, 3, "normals"),
@@ -213,6 +213,8 @@ void bind_bake(py::module_& module) {
         options.reach = reach;
         options.skip_invalid = skip_invalid;
         options.threads = threads.checked("threads");
+        options.work = work;
+        options.resume = resume;
         options.progress = &stop_for_signals;
         const stream::Source points = source_of(source, format);
         return with_models([&] { return maps::bake(mesh, points, options); });
@@ -223,7 +225,7 @@ void bind_bake(py::module_& module) {
       py::arg("noise") = defaults.noise, py::arg("texels_per_point") = defaults.texels_per_point,
       py::arg("reach") = defaults.reach, py::arg("skip_invalid") = false, py::arg("threads") = 0,
       py::arg("texcoords") = py::none(), py::arg("texture_coordinates") = "auto",
-      py::arg("size") = std::array<unsigned, 2>{},
+      py::arg("size") = std::array<unsigned, 2>{}, py::arg("work") = "", py::arg("resume") = false,
       "Bake the appearance of `source` into a normal map, a colour map and a displacement map of a coarse mesh.\n\n"
       "positions: (vertices, 3). triangles: (triangles, 3), counter-clockwise from outside. normals: (vertices, 3); "
       "by\n"
@@ -235,7 +237,10 @@ void bind_bake(py::module_& module) {
       "texcoords: (vertices, 2), of the coarse mesh; (0, 0) is the lower left texel. texture_coordinates: \"own\" "
       "keeps\n"
       "them, \"charts\" makes new ones, \"auto\" keeps them if each triangle has a place of its own within 0 to 1.\n"
-      "size: width and height of the maps, powers of two; (0, 0): by the number of points.");
+      "size: width and height of the maps, powers of two; (0, 0): by the number of points.\n"
+      "work: a folder for the state of the work, from which a killed run continues with resume=True. Remove it when "
+      "the\n"
+      "model is written.");
 }
 
 }  // namespace

@@ -112,6 +112,12 @@ struct BakeOptions {
   double reach = 0;
   bool skip_invalid = false;  // leaves out points whose coordinates are not finite, instead of Error
   unsigned threads = 0;       // the most threads; 0: as many as the machine has
+  // A folder for the state of the work, beside the model; empty: nothing is saved. After a run was killed, or the disk was
+  // full, the next one continues from there with `resume`, and repeats a twentieth of the second pass at most, or ten times
+  // the time that saving takes. The folder stays, so that writing the model may be interrupted, too: remove it then, by
+  // std::filesystem::remove_all. Only for sources with an identity.
+  std::filesystem::path work = {};
+  bool resume = false;  // Error if the folder has the work of another mesh, source, version or other options
   // Receives the finished fraction of the work, 0 to 1, in the calling thread. If it throws, the work ends with this
   // exception.
   std::function<void(double fraction)> progress = {};
@@ -165,7 +171,8 @@ struct Baked {
 // chart needs, then all points. Colours are the channels red, green and blue.
 // Errors: Error for arrays that do not fit together, a triangle with a vertex that does not exist, a number that is not
 // finite, no triangles, no point near the mesh, options out of range, texture coordinates that are to be kept and cannot,
-// and a texture memory that is too small for the number of charts. stream::Error for a source that cannot be read.
+// a texture memory that is too small for the number of charts, and a state of the work that cannot be written or is of
+// other work. stream::Error for a source that cannot be read.
 GLARK_EXPORT Baked bake(const CoarseMesh& mesh, const stream::Source& points, const BakeOptions& options = {});
 
 // Writes a binary glTF file with the normal map and the colour map in it, and the displacement map beside it, as a PNG of

@@ -6,14 +6,14 @@
 #include <cstdlib>
 #include <string>
 
-#include "glark/clients/stream/files/state_file.h"
+#include "glark/clients/common/work/state_file.h"
 
 namespace {
 
-using glark::stream::OpenFile;
+using glark::common::OpenFile;
 
 void read_all(std::FILE* file, std::size_t size) {
-  glark::stream::StateReader reader(file);
+  glark::common::StateReader reader(file);
   std::uint8_t kind = 0;
   while (reader.get(kind)) {
     std::uint64_t number = 0;
@@ -41,7 +41,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   std::string with_sum(size + 64, '\0');
   {
     const OpenFile file(fmemopen(with_sum.data(), with_sum.size(), "wb"));
-    glark::stream::StateWriter writer(file.get());
+    glark::common::StateWriter writer(file.get());
     writer.put_all(std::span(data, size), false);
     if (!writer.finish()) std::abort();
   }

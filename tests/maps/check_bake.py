@@ -10,13 +10,19 @@ import math
 import os
 import pathlib
 import random
+import signal
 import struct
 import subprocess
 import sys
+import time
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "geometry"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "stream"))
 from command_case import GLARK, CommandCase, sphere, write_ply  # noqa: E402
+from scans import bumpy_sphere, write_raw  # noqa: E402
+
+KILLS = 40  # at most
 
 
 def gltf_of(file):
@@ -104,6 +110,57 @@ class Bake(CommandCase):
             done = self.glark(*arguments, status=status)
             self.assertIn(word, done.stderr, arguments)
             self.assert_nothing_written()
+
+    def killed(self, output, seconds, *arguments):
+        """Kills a bake, which takes some seconds, at random moments, continues it to its end, and returns how often it was killed."""
+        moments = random.Random(7)
+        for kills in range(KILLS):
+            process = subprocess.Popen([GLARK, "bake", *map(str, arguments), *["--resume"] * (kills > 0)], cwd=self.path,
+                                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            time.sleep(seconds * moments.uniform(0.02, 0.3))
+            if process.poll() is not None:
+                self.assertEqual(0, process.returncode)
+                return kills
+            process.send_signal(moments.choice([signal.SIGKILL, signal.SIGTERM]))
+            process.wait()
+            self.assertFalse(kills == 0 and output.exists())
+        self.glark("bake", *arguments, "--resume")
+        return KILLS
+
+    def test_killed_runs_continue(self):
+        """A scan that is read in parts: the sampling, the coarse mesh and the maps are continued."""
+        large = write_raw(self.path / "large.raw", bumpy_sphere(3000000))
+        options = (large, "--triangles", 1000, "--size", 512, "--memory", "128MB")  # the sampling is streamed
+        (self.path / "wanted").mkdir()
+        begin = time.monotonic()
+        self.glark("bake", *options, "-o", "wanted/out.glb")
+        seconds = time.monotonic() - begin
+        kills = self.killed(self.path / "out.glb", seconds, *options, "-o", "out.glb", "--threads", "1")
+        self.assertGreater(kills, 2)
+        for name in ("out.glb", "out.displacement.png"):
+            self.assertEqual((self.path / "wanted" / name).read_bytes(), (self.path / name).read_bytes(), name)
+        self.assertEqual([], [file.name for file in self.path.iterdir() if "partial" in file.name or file.name[0] == "."])
+
+    def test_other_work_is_not_resumed(self):
+        large = write_raw(self.path / "large.raw", bumpy_sphere(1500000))
+        options = ["bake", large, "-o", "out.glb", "--size", "256", "--triangles"]
+        while not (self.path / "out.glb.partial" / "glark-mesh").exists():
+            process = subprocess.Popen([GLARK, *map(str, options), "900"], cwd=self.path, stdout=subprocess.DEVNULL,
+                                       stderr=subprocess.DEVNULL)
+            while process.poll() is None and not (self.path / "out.glb.partial" / "glark-mesh").exists():
+                time.sleep(0.001)
+            process.kill()
+            process.wait()
+        before = sorted(self.path.rglob("*"))
+        done = self.glark(*options, "800", "--resume", status=1)
+        self.assertRegex(done.stderr, 'out.glb.partial: is the work of a run that differs: it has "--triangles 900", and '
+                                      'this run "--triangles 800"; resume with the same')
+        with open(large, "ab") as file:
+            file.write(bytes(12))
+        self.assertIn("the input", self.glark(*options, "900", "--resume", status=1).stderr)
+        self.assertEqual(before, sorted(self.path.rglob("*")))
+        self.glark(*options, "900")
+        self.assertFalse((self.path / "out.glb.partial").exists())
 
     def test_a_mirrored_node_is_baked(self):
         """A sphere of glTF whose node mirrors it has its triangles and normals outside."""

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <random>
 
+#include "glark/clients/stream/files/work_folder.h"
 #include "glark/clients/stream/ranks/deliver.h"
 #include "glark/clients/stream/ranks/range.h"
 #include "glark/clients/stream/ranks/sample/open_changes.h"
@@ -186,7 +187,7 @@ TEST_F(RanksSampling, AllGiveUpStreamingWhereOneProcessDoes) {
   const common::Workers workers(1);
   BlockSource points(source, {}, workers);
   WorkFolder nowhere({}, "", false);
-  Checkpoints checkpoints(nowhere, 1);
+  common::Checkpoints checkpoints(nowhere, 1);
   const Census census = take_census(points, counting_options(source, options, 1), {}, checkpoints);
   EXPECT_FALSE(make_plan(census, options).is_shuffled);
   EXPECT_TRUE(check(file, options, {3}).is_shuffled);

@@ -21,7 +21,7 @@ namespace {
 using Work = TemporaryFolder;
 
 bool load_number(const WorkFolder& folder, int& number) {
-  return folder.load("number", [&](StateReader& state) { return state.get(number); });
+  return folder.load("number", [&](common::StateReader& state) { return state.get(number); });
 }
 
 TEST_F(Work, AStateIsKeptForTheSameWork) {
@@ -29,7 +29,7 @@ TEST_F(Work, AStateIsKeptForTheSameWork) {
   {
     WorkFolder folder(path("work"), "first", false);
     EXPECT_FALSE(load_number(folder, number));
-    folder.save("number", [](StateWriter& state) { state.put(42); });
+    folder.save("number", [](common::StateWriter& state) { state.put(42); });
   }
   EXPECT_TRUE(load_number(WorkFolder(path("work"), "first", true), number));
   EXPECT_EQ(number, 42);
@@ -39,7 +39,7 @@ TEST_F(Work, AStateIsKeptForTheSameWork) {
 TEST_F(Work, WithoutResumeAStateIsDropped) {
   int number = 0;
   {
-    WorkFolder(path("work"), "a", false).save("number", [](StateWriter& state) { state.put(42); });
+    WorkFolder(path("work"), "a", false).save("number", [](common::StateWriter& state) { state.put(42); });
   }
   EXPECT_FALSE(load_number(WorkFolder(path("work"), "a", false), number));
 }
@@ -48,7 +48,7 @@ TEST_F(Work, TheFolderGoesWithTheWork) {
   { const WorkFolder unused(path("a"), "", false); }
   EXPECT_FALSE(std::filesystem::exists(path("a")));
   WorkFolder folder(path("b"), "", false);
-  folder.save("number", [](StateWriter& state) { state.put(42); });
+  folder.save("number", [](common::StateWriter& state) { state.put(42); });
   EXPECT_TRUE(std::filesystem::exists(path("b")));
   folder.finish();
   EXPECT_FALSE(std::filesystem::exists(path("b")));
@@ -56,7 +56,7 @@ TEST_F(Work, TheFolderGoesWithTheWork) {
 
 TEST_F(Work, EveryDamageOfAStateIsFound) {
   WorkFolder folder(path("work"), "a", false);
-  folder.save("number", [](StateWriter& state) { state.put(42); });
+  folder.save("number", [](common::StateWriter& state) { state.put(42); });
   const std::string good = bytes_of(path("work/glark-number"));
   int number = 0;
   for (std::size_t i = 0; i < good.size(); ++i) {
@@ -93,7 +93,7 @@ TEST_F(Work, WhatSomebodyPutsIntoTheFolderStays) {
   WorkFolder folder(path("work"), "a", false);
   made("work/notes.txt", "mine");
   std::filesystem::create_directory(path("work/glark-folder"));
-  folder.save("number", [](StateWriter& state) { state.put(42); });
+  folder.save("number", [](common::StateWriter& state) { state.put(42); });
   folder.finish();
   EXPECT_TRUE(std::filesystem::exists(path("work/notes.txt")));
   EXPECT_TRUE(std::filesystem::exists(path("work/glark-folder")));
@@ -104,7 +104,7 @@ TEST_F(Work, WhatSomebodyPutsIntoTheFolderStays) {
 TEST_F(Work, TheIdentityIsRemovedLast) {
   {
     WorkFolder folder(path("work"), "a", false);
-    folder.save("number", [](StateWriter& state) { state.put(42); });
+    folder.save("number", [](common::StateWriter& state) { state.put(42); });
     for (int i = 0; i < 50; ++i) made("work/glark-" + std::to_string(i), "x");
     // As a kill after each removal: nothing of ours may be without the identity.
     const int watch = inotify_init1(IN_NONBLOCK);
@@ -154,9 +154,9 @@ TEST_F(Work, TheOutputIsOnTheSameFileSystem) {
 
 TEST_F(Work, AnArrayThatIsTooLongIsNotRead) {
   WorkFolder folder(path("work"), "a", false);
-  folder.save("array", [](StateWriter& state) { state.put(std::uint64_t{1} << 60); });
+  folder.save("array", [](common::StateWriter& state) { state.put(std::uint64_t{1} << 60); });
   std::vector<double> array;
-  EXPECT_FALSE(folder.load("array", [&](StateReader& state) { return state.get_all(array); }));
+  EXPECT_FALSE(folder.load("array", [&](common::StateReader& state) { return state.get_all(array); }));
 }
 
 TEST(SpatialOrder, NearPointsFollowOneAnother) {

@@ -20,6 +20,7 @@
 #include "glark/clients/maps/project/coverage.h"
 #include "glark/clients/maps/project/splatter.h"
 #include "glark/clients/maps/seam_list.h"
+#include "glark/clients/maps/states.h"
 #include "glark/clients/maps/validation.h"
 
 namespace glark::maps {
@@ -38,7 +39,8 @@ class Baker {
         workers_(options.threads),
         origin_(mesh.origin),
         texcoords_(mesh.texcoords),
-        surface_(surface_of(mesh)) {
+        surface_(surface_of(mesh)),
+        states_(mesh, source, options) {
     find_islands();
   }
 
@@ -50,9 +52,7 @@ class Baker {
     if (!census.spreads.empty()) find_hard_edges(census.spreads, surface_);
     if (!model_.has_own_texcoords) segment_mesh();
     place_charts(census);
-    add_points();
-    report(after_points);
-    fill();
+    make_maps();
     report(after_filling);
     model_.origin = origin_;
     if (model_.has_own_texcoords)
@@ -133,6 +133,7 @@ class Baker {
     SampleStream stream(source_, origin_, surface_.scale, options_.skip_invalid);
     has_normals_ = stream.has_normals();
     channels_ = stream.has_colours() ? channels_with_colour : channels_without_colour;
+    if (Census saved; states_.load(saved)) return saved;
     Census census = take_census(stream, Shell(surface_, widest_reach()), surface_.triangles.size(), workers_);
     if (census.points_with_foot == 0)
       throw Error(
@@ -140,6 +141,7 @@ class Baker {
           fmt::format("no point of {} is within {:.3g} of the coarse mesh and faces the same side; both must be "
                       "in one place, and normals must point to the outside",
                       source_.name, widest_reach() / surface_.scale));
+    states_.save(census);
     return census;
   }
 
@@ -184,22 +186,45 @@ class Baker {
     atlas_ = keep_places(charts_, surface_, wanted, limits);
   }
 
-  void add_points() {
+  // Continues from what a killed run has saved.
+  void make_maps() {
     SampleStream stream(source_, origin_, surface_.scale, options_.skip_invalid);
+    states_.begin_points(maps_, stream.count());
+    PointCounts points;
+    FillCounts counts;
+    if (!states_.load_filled(points, counts, maps_, workers_)) {
+      states_.load_points(points, maps_, workers_);
+      add_points(stream, points);
+      report(after_points);
+      counts = fill();
+      states_.save_filled(points, counts, maps_, workers_);
+    }
+    model_.points = points.read;
+    model_.left_out = points.left_out;
+    model_.invalid = points.invalid;
+    model_.texels = counts.texels;
+    model_.filled = counts.filled;
+    model_.empty_charts = counts.empty_charts;
+  }
+
+  void add_points(SampleStream& stream, PointCounts& points) {
     const Shell shell(surface_, model_.reach);
     Splatter splatter(charts_, atlas_, surface_, shell, channels_);
     std::vector<Sample> samples;
     const auto count = static_cast<double>(stream.count().value_or(0));
+    if (points.read > 0) stream.continue_after(points.read, points.invalid);
     while (stream.next(points_a_step, samples)) {
-      model_.left_out += splatter.add(samples, workers_, maps_);
-      const double done = count > 0 ? std::min(1.0, static_cast<double>(stream.read_points()) / count) : 0;
+      points.left_out += splatter.add(samples, workers_, maps_);
+      points.read = stream.read_points();
+      points.invalid = stream.invalid();
+      states_.save_points(points, maps_, workers_);
+      const double done = count > 0 ? std::min(1.0, static_cast<double>(points.read) / count) : 0;
       report(after_census + (after_points - after_census) * done);
     }
-    model_.points = stream.read_points();
-    model_.invalid = stream.invalid();
+    states_.save_all_points(points, maps_, workers_);
   }
 
-  void fill() {
+  FillCounts fill() {
     std::atomic<std::uint64_t> filled = 0, texels = 0, empty = 0;
     workers_.each(charts_.size(), 1, [&](std::size_t begin, std::size_t end) {
       Diffuser diffuser;
@@ -213,12 +238,11 @@ class Baker {
         const bool is_empty = std::none_of(map.weights.begin(), map.weights.end(), [](float w) { return w > 0; });
         empty += is_empty ? 1 : 0;
         set_normals(c, is_empty);
+        map.is_changed = true;
       }
     });
     set_colours_of_empty_charts();
-    model_.filled = filled;
-    model_.texels = texels;
-    model_.empty_charts = empty;
+    return {texels, filled, empty};
   }
 
   // Charts without points get the colours of their neighbours, or the mean colour of all charts.
@@ -276,6 +300,7 @@ class Baker {
   std::array<double, 3> origin_;
   std::span<const float> texcoords_;  // of the mesh
   Surface surface_;
+  BakeStates states_;
   std::vector<Chart> charts_;
   Atlas atlas_;
   std::vector<ChartMap> maps_;

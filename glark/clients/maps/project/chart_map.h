@@ -4,6 +4,7 @@
 // What the points say about the texels of a chart.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -24,12 +25,17 @@ struct ChartMap {
   unsigned width = 0, height = 0;
   std::vector<float> values;   // [channels * width * height]: sums over the points, or their means
   std::vector<float> weights;  // [width * height]: the weight of the points at each texel
+  bool is_changed = false;     // since the map was saved
 
   void resize(const Place& place, unsigned channels) {
     width = place.width;
     height = place.height;
     values.assign(std::size_t{channels} * width * height, 0.0F);
     weights.assign(std::size_t{width} * height, 0.0F);
+  }
+  void clear() {
+    std::fill(values.begin(), values.end(), 0.0F);
+    std::fill(weights.begin(), weights.end(), 0.0F);
   }
   // Adds the values to the four texels around a place, by the weights of bilinear filtering.
   void add(Point2 texel, std::span<const float> sample);

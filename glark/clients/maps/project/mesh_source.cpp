@@ -9,6 +9,7 @@
 #include <limits>
 #include <memory>
 
+#include "glark/clients/common/fnv.h"
 #include "glark/clients/common/vector.h"
 #include "glark/clients/maps/project/mesh_points.h"
 
@@ -369,6 +370,27 @@ void MeshPoints::add_mean(std::size_t triangle, const std::array<std::uint32_t, 
   channels_.insert(channels_.end(), shown.begin(), shown.end());
 }
 
+namespace {
+
+// A checksum of all that the samples depend on.
+std::uint64_t checksum(const FineMesh& mesh, double spacing) {
+  std::uint64_t sum = common::add_array_to_fnv(common::fnv_of_nothing, std::span<const double>(mesh.origin));
+  sum = common::add_array_to_fnv(sum, std::span<const double>(&spacing, 1));
+  for (const std::span<const float> array : {mesh.positions, mesh.normals, mesh.texcoords})
+    sum = common::add_array_to_fnv(sum, array);
+  for (const std::span<const std::uint8_t> array : {mesh.colours, mesh.tints})
+    sum = common::add_array_to_fnv(sum, array);
+  for (const std::span<const std::uint32_t> array : {mesh.triangles, mesh.triangle_pictures})
+    sum = common::add_array_to_fnv(sum, array);
+  for (const Picture& picture : mesh.pictures) {
+    sum = common::add_array_to_fnv(sum, std::span<const unsigned>(&picture.width, 1));
+    sum = common::add_array_to_fnv(sum, picture.pixels);
+  }
+  return common::add_array_to_fnv(sum, mesh.picture_wraps);
+}
+
+}  // namespace
+
 stream::Source mesh_source(const FineMesh& mesh, double spacing) {
   require(mesh, spacing);
   const std::string name = "the fine mesh";
@@ -376,7 +398,7 @@ stream::Source mesh_source(const FineMesh& mesh, double spacing) {
           .open = [mesh, spacing, name](const stream::ReadOptions&) -> std::unique_ptr<stream::PointReader> {
             return std::make_unique<MeshPoints>(mesh, spacing, name);
           },
-          .identity = {}};
+          .identity = fmt::format("mesh {:016x}", checksum(mesh, spacing))};
 }
 
 }  // namespace glark::maps

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -41,6 +42,18 @@ bool SampleStream::skip_to(std::uint64_t point) {
   if (!reader_->can_seek()) return false;
   reader_->seek(point);
   return true;
+}
+
+void SampleStream::continue_after(std::uint64_t points, std::uint64_t invalid) {
+  constexpr std::uint64_t step = 1 << 16;
+  if (!skip_to(points))
+    for (std::uint64_t left = points; left > 0;) {
+      const std::size_t count = reader_->read(static_cast<std::size_t>(std::min(step, left))).size();
+      if (count == 0) break;
+      left -= count;
+    }
+  read_ = points;
+  invalid_ = invalid;
 }
 
 bool SampleStream::next(std::size_t most, std::vector<Sample>& samples) {
@@ -121,6 +134,7 @@ std::size_t Splatter::add(std::span<const Sample> samples, const common::Workers
   // Each chart adds its samples in the order of the stream. So the sums are the same for any number of threads.
   workers.each(maps.size(), 1, [&](std::size_t begin, std::size_t end) {
     for (std::size_t c = begin; c < end; ++c) {
+      maps[c].is_changed |= first_entry_[c] != first_entry_[c + 1];
       for (std::uint32_t e = first_entry_[c]; e < first_entry_[c + 1]; ++e) {
         const auto& [i, image] = entries_[e];
         const Point2 at = images_[image].triangle.at(feet_[i].weights);

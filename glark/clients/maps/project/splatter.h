@@ -40,6 +40,8 @@ class SampleStream {
   bool next(std::size_t most, std::vector<Sample>& samples);
   // Skips points, if the source can do that without reading them.
   bool skip_to(std::uint64_t point);
+  // Continues after points that were read before. invalid: of these, as invalid() told then.
+  void continue_after(std::uint64_t points, std::uint64_t invalid);
 
  private:
   std::unique_ptr<stream::PointReader> reader_;

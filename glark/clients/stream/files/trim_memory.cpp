@@ -7,7 +7,7 @@
 
 #include <cstdio>
 
-#include "glark/clients/stream/files/state_file.h"
+#include "glark/clients/common/work/state_file.h"
 
 namespace glark::stream {
 namespace {
@@ -15,7 +15,7 @@ namespace {
 constexpr double near_limit = 0.8;
 
 std::size_t resident_bytes() {
-  const OpenFile file(std::fopen("/proc/self/statm", "r"));
+  const common::OpenFile file(std::fopen("/proc/self/statm", "r"));
   unsigned long pages = 0, resident = 0;
   if (!file || std::fscanf(file.get(), "%lu %lu", &pages, &resident) != 2) return 0;
   return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));

@@ -6,6 +6,7 @@
 
 #include "glark/clients/stream/files/source_file.h"
 #include "glark/clients/stream/files/trim_memory.h"
+#include "glark/clients/stream/files/work_folder.h"
 #include "glark/clients/stream/sample/sample_and_publish.h"
 #include "glark/clients/stream/sample/sample_steps.h"
 
@@ -20,13 +21,13 @@ std::string identity_of(const Source& source, const SampleOptions& options) {
 
 // The second pass. Sets plan.is_shuffled if the unfinished cells do not fit into memory after all.
 std::unique_ptr<TreeStore> make_trees(const PassInput& input, Plan& plan, const std::filesystem::path& temporary) {
-  WorkFolder& folder = input.checkpoints.folder();
+  common::WorkFolder& folder = input.checkpoints.folder();
   auto trees = std::make_unique<TreeStore>(folder, temporary, plan.cells.size());
   // A run before may have found this out.
-  plan.is_shuffled |= folder.load("shuffled", [](StateReader&) { return true; });
+  plan.is_shuffled |= folder.load("shuffled", [](common::StateReader&) { return true; });
   if (!plan.is_shuffled && !stream_cells(input, *trees)) {
     plan.is_shuffled = true;
-    folder.save("shuffled", [](StateWriter&) {});
+    folder.save("shuffled", [](common::StateWriter&) {});
     trees = std::make_unique<TreeStore>(folder, temporary, plan.cells.size());
   }
   if (plan.is_shuffled) sort_into_cells(input, temporary, *trees);
@@ -34,7 +35,7 @@ std::unique_ptr<TreeStore> make_trees(const PassInput& input, Plan& plan, const 
 }
 
 Census census_of(const Source& source, const ReadOptions& reading, const CensusOptions& options,
-                 const common::Workers& workers, const Advance& advance, Checkpoints& checkpoints) {
+                 const common::Workers& workers, const Advance& advance, common::Checkpoints& checkpoints) {
   ReadOptions positions_only = reading;
   positions_only.normals = positions_only.channels = false;
   BlockSource points(source, positions_only, workers);
@@ -86,7 +87,7 @@ SampleReport sample_and_publish(const Source& source, const SampleOptions& optio
   const bool keeps_states = !options.work.empty() && points.can_seek() && points.count() && !source.identity.empty();
   WorkFolder folder(keeps_states ? options.work : std::filesystem::path(), identity_of(source, options),
                     options.resume);
-  Checkpoints checkpoints(folder, points.count().value_or(0));
+  common::Checkpoints checkpoints(folder, points.count().value_or(0));
   Census census;
   const auto part_done = [&](double begin, double share) {
     return [&, begin, share](std::uint64_t done) {

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "glark/clients/stream/files/checkpoints.h"
+#include "glark/clients/common/work/checkpoints.h"
+#include "glark/clients/stream/files/work_folder.h"
 #include "glark/clients/stream/transfer/edited_scan.h"
 #include "glark/clients/stream/write/writers.h"
 
@@ -15,7 +16,7 @@ class Output {
   Output(const std::filesystem::path& file, WorkFolder& folder, const OutputLayout& layout)
       : folder_(folder), layout_(layout) {
     folder.require_same_disk(file);
-    const bool is_begun = folder.load("done", [&](StateReader& state) { return state.get(state_); });
+    const bool is_begun = folder.load("done", [&](common::StateReader& state) { return state.get(state_); });
     if (!is_begun) state_ = {};
     const std::uint64_t kept = is_begun ? layout.header().size() + state_.done * layout.layout().record_size : 0;
     writing([&] {
@@ -34,7 +35,7 @@ class Output {
   }
   void save() {
     writing([&] { file_->flush(); });
-    folder_.save("done", [&](StateWriter& state) { state.put(state_); });
+    folder_.save("done", [&](common::StateWriter& state) { state.put(state_); });
   }
   // Copies what follows the records, and puts the file in its place.
   void finish(const SourceFile& from, std::uint64_t begin, OutputLayout& layout) {
@@ -70,7 +71,7 @@ TransferReport transfer(const std::filesystem::path& large, const std::filesyste
                         const TransferOptions& options) {
   EditedScan scan({large, from, to, output}, options);
   WorkFolder folder(options.work, scan.identity(), options.resume);
-  Checkpoints checkpoints(folder, scan.records());
+  common::Checkpoints checkpoints(folder, scan.records());
   Output written(output, folder, scan.output());
   checkpoints.begin(written.done());
   while (written.done() < scan.records()) {

@@ -18,11 +18,13 @@
 
 #include "glark/clients/geometry/measure/area.h"
 #include "glark/tool/scan/bake/coarse_mesh.h"
+#include "glark/tool/scan/bake/saved_work.h"
 #include "glark/tool/scan/commands.h"
 #include "glark/tool/scan/files.h"
 #include "glark/tool/scan/parts/memory_option.h"
 #include "glark/tool/scan/peak_memory.h"
 #include "glark/tool/scan/rgb.h"
+#include "glark/tool/scan/stream/work_folder.h"
 #include "glark/tool/scan/validators.h"
 
 namespace glark::tool {
@@ -41,7 +43,7 @@ struct Bake {
   maps::BakeOptions options;
   std::optional<double> noise;  // empty: measured
   Memory memory;
-  bool pictures = false, object_normals = false;
+  bool pictures = false, object_normals = false, resume = false;
 };
 
 // The fine surface. Its points are in a file, or in the memory.
@@ -129,9 +131,27 @@ std::unique_ptr<Fine> read_fine(const Bake& command) {
   return fine;
 }
 
+// All that the saved work depends on, by the names of the options.
+std::string identity_of(const Bake& command, const Fine& fine) {
+  const maps::BakeOptions& options = command.options;
+  std::string identity = fmt::format("glark bake {}\n", GLARK_VERSION);
+  const auto add = [&](const char* name, const auto& value) { identity += fmt::format("{} {}\n", name, value); };
+  add("the input", fine.source.identity);
+  add("--skip-invalid", command.files.skip_invalid);
+  add("--mesh", command.mesh.empty() ? "none" : "given");
+  add("--triangles", command.coarse.triangles);
+  add("--memory", command.coarse.memory);
+  add("--texture-coordinates", static_cast<int>(options.texcoords));
+  add("--size", fmt::format("{}x{}", options.width, options.height));
+  add("--texture-memory", options.texture_memory);
+  add("--texels-per-point", options.texels_per_point);
+  add("--noise", command.noise ? fmt::format("{}", *command.noise) : "measured");
+  add("--reach", options.reach);
+  return identity;
+}
+
 // noise: receives the noise of the points, if it is measured.
-geometry::Geometry coarse_mesh(const Bake& command, const Fine& fine, double& noise) {
-  if (!command.mesh.empty()) return read_coarse_mesh(command.mesh, command.files);
+geometry::Geometry make_coarse_mesh(const Bake& command, const Fine& fine, SavedWork& work, double& noise) {
   if (!fine.geometry.triangles.empty()) return simplify_to(fine.geometry, command.coarse);
   const std::size_t points = fine.geometry.point_count();
   if (points > 0 && points <= most_reconstructed) {
@@ -139,7 +159,17 @@ geometry::Geometry coarse_mesh(const Bake& command, const Fine& fine, double& no
     noise = coarse.noise;
     if (!coarse.mesh.triangles.empty()) return std::move(coarse.mesh);
   }
-  return strip_sampling(fine.source, command.coarse, command.files.skip_invalid);
+  return strip_sampling(fine.source, command.coarse, command.files.skip_invalid, work);
+}
+
+geometry::Geometry coarse_mesh(const Bake& command, const Fine& fine, SavedWork& work, double& noise) {
+  if (!command.mesh.empty()) return read_coarse_mesh(command.mesh, command.files);
+  geometry::Geometry mesh;
+  if (work.load("mesh", mesh, noise)) return mesh;
+  mesh = make_coarse_mesh(command, fine, work, noise);
+  require_coarse(mesh, command);
+  work.save("mesh", mesh, noise);
+  return mesh;
 }
 
 void warn_of_losses(const maps::Baked& model, const Bake& command) {
@@ -196,26 +226,35 @@ Report report_of(const maps::Baked& model, double noise) {
   return report;
 }
 
-void run(const Bake& command) {
-  require_glb(command.files.output);
-  check_output(command.files);
-  const std::unique_ptr<Fine> fine = read_fine(command);
-  double noise = 0;
-  const geometry::Geometry mesh = coarse_mesh(command, *fine, noise);
-  require_coarse(mesh, command);
-  maps::BakeOptions options = command.options;
-  options.noise = command.noise.value_or(noise);
-  options.threads = command.coarse.threads;
-  options.skip_invalid = command.files.skip_invalid;
-  Progress progress("baking " + command.files.input);
-  options.progress = [&](double fraction) { progress.show(fraction); };
-  const maps::Baked model =
+// Bad input fails again. So the saved work is kept only if a file could not be read or written.
+template <class Step>
+void run_saved(SavedWork& work, const Step& step) {
+  try {
+    step();
+  } catch (const WorkError&) {
+    throw;
+  } catch (const maps::Error& error) {
+    if (error.element() != maps::Element::file) work.finish();
+    throw;
+  } catch (const stream::Error& error) {
+    if (error.element() != stream::Element::file) work.finish();
+    throw;
+  } catch (const std::exception&) {
+    work.finish();
+    throw;
+  }
+  work.finish();
+}
+
+maps::Baked bake_maps(const Bake& command, const Fine& fine, const geometry::Geometry& mesh,
+                      const maps::BakeOptions& options) {
+  maps::Baked model =
       maps::bake({.origin = mesh.origin,
                   .positions = mesh.positions,
                   .normals = mesh.normals,
                   .triangles = mesh.triangles,
                   .texcoords = command.mesh.empty() ? std::span<const float>() : std::span(mesh.texture_coordinates)},
-                 fine->source, options);
+                 fine.source, options);
   if (command.mesh.empty() && 2 * model.left_out > model.points)
     throw std::runtime_error(fmt::format(
         "{}: {} of {} points are more than {:.3g} from the coarse mesh or face away from it; normals must point to the "
@@ -224,6 +263,21 @@ void run(const Bake& command) {
   warn_of_losses(model, command);
   if (!mesh.texture_coordinates.empty() && !model.texcoords_fault.empty())
     warn(command.mesh + ": new texture coordinates replace its own, because " + model.texcoords_fault);
+  return model;
+}
+
+void bake(const Bake& command, const Fine& fine, SavedWork& work) {
+  double noise = 0;
+  const geometry::Geometry mesh = coarse_mesh(command, fine, work, noise);
+  maps::BakeOptions options = command.options;
+  options.noise = command.noise.value_or(noise);
+  options.threads = command.coarse.threads;
+  options.skip_invalid = command.files.skip_invalid;
+  options.work = work.part("maps");
+  options.resume = command.resume && !options.work.empty();
+  Progress progress("baking " + command.files.input);
+  options.progress = [&](double fraction) { progress.show(fraction); };
+  const maps::Baked model = bake_maps(command, fine, mesh, options);
   maps::write_model(command.files.output, model);
   if (command.pictures) maps::write_pictures(command.files.output, model);
   if (command.object_normals) maps::write_object_normals(command.files.output, model);
@@ -231,6 +285,14 @@ void run(const Bake& command) {
   report["seconds"] = progress.seconds();
   report["peak_memory_bytes"] = peak_memory();
   print(report, command.files.json);
+}
+
+void run(const Bake& command) {
+  require_glb(command.files.output);
+  check_output(command.files);
+  const std::unique_ptr<Fine> fine = read_fine(command);
+  SavedWork work(work_folder(command.files.output), identity_of(command, *fine), command.resume);
+  run_saved(work, [&] { bake(command, *fine, work); });
 }
 
 // Accepts a power of two, as 2048, or two of them, as 2048x1024.
@@ -329,6 +391,7 @@ void add_bake(CLI::App& app) {
   describe(*command, *bake);
   describe_memory(*command, bake->memory);
   describe_threads(*command, bake->coarse.threads);
+  command->add_flag("--resume", bake->resume, resume_help);
   command->callback([bake] {
     bake->coarse.memory = memory_for(bake->memory).bytes;
     run(*bake);

@@ -25,10 +25,13 @@ namespace {
 // Strips of fewer samples would bridge what stands out of sparse ground, as houses do. They are simplified afterwards.
 constexpr std::size_t samples_a_triangle = 5;
 
+constexpr const char* samples_name = "samples";  // of the saved work
+
 // Keeps the points that are written.
 class Collector final : public stream::PointWriter {
  public:
-  Collector(stream::Schema schema, geometry::Geometry& points) : schema_(std::move(schema)), points_(points) {}
+  Collector(stream::Schema schema, geometry::Geometry& points, SavedWork& work)
+      : schema_(std::move(schema)), points_(points), work_(work) {}
   const stream::Schema& schema() const override { return schema_; }
   void write(const stream::Points& points) override {
     if (points.size() > 0 && points_.positions.empty())
@@ -37,11 +40,13 @@ class Collector final : public stream::PointWriter {
       points_.positions.push_back(static_cast<float>(points.positions[i] - points_.origin[i % 3]));
     points_.normals.insert(points_.normals.end(), points.normals.begin(), points.normals.end());
   }
-  void finish() override {}
+  // The sampling removes its own work after this.
+  void finish() override { work_.save(samples_name, points_, 0); }
 
  private:
   stream::Schema schema_;
   geometry::Geometry& points_;
+  SavedWork& work_;
 };
 
 void add_triangles(const surfel::Strips& strips, geometry::Geometry& geometry) {
@@ -55,6 +60,23 @@ void add_triangles(const surfel::Strips& strips, geometry::Geometry& geometry) {
       geometry.triangles.insert(geometry.triangles.end(), {a, is_turned ? c : b, is_turned ? b : c});
     }
   }
+}
+
+geometry::Geometry sample(const stream::Source& source, const CoarseOptions& options, bool skip_invalid,
+                          SavedWork& work) {
+  Progress progress("sampling " + source.name);
+  stream::SampleOptions sampling;
+  sampling.target = samples_a_triangle * options.triangles;
+  sampling.memory = options.memory;
+  sampling.threads = options.threads;
+  sampling.skip_invalid = skip_invalid;
+  sampling.progress = [&](double fraction) { progress.show(fraction); };
+  sampling.work = work.part("sampling");
+  sampling.resume = work.resumes() && !sampling.work.empty();
+  geometry::Geometry points;
+  stream::sample(source, sampling, std::filesystem::temp_directory_path(),
+                 [&](const stream::Schema& schema) { return std::make_unique<Collector>(schema, points, work); });
+  return points;
 }
 
 }  // namespace
@@ -109,17 +131,10 @@ CoarseReconstruction reconstruct_from(const geometry::Geometry& points, const Co
   return coarse;
 }
 
-geometry::Geometry strip_sampling(const stream::Source& source, const CoarseOptions& options, bool skip_invalid) {
-  Progress progress("sampling " + source.name);
-  stream::SampleOptions sampling;
-  sampling.target = samples_a_triangle * options.triangles;
-  sampling.memory = options.memory;
-  sampling.threads = options.threads;
-  sampling.skip_invalid = skip_invalid;
-  sampling.progress = [&](double fraction) { progress.show(fraction); };
+geometry::Geometry strip_sampling(const stream::Source& source, const CoarseOptions& options, bool skip_invalid,
+                                  SavedWork& work) {
   geometry::Geometry points;
-  stream::sample(source, sampling, std::filesystem::temp_directory_path(),
-                 [&](const stream::Schema& schema) { return std::make_unique<Collector>(schema, points); });
+  if (double noise = 0; !work.load(samples_name, points, noise)) points = sample(source, options, skip_invalid, work);
   const surfel::Strips strips({.positions = points.positions, .normals = points.normals}, {.threads = options.threads});
   add_triangles(strips, points);
   if (points.triangles.empty())

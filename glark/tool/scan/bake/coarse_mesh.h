@@ -12,6 +12,7 @@
 #include <string>
 
 #include "glark/clients/geometry/geometry.h"
+#include "glark/tool/scan/bake/saved_work.h"
 #include "glark/tool/scan/files.h"
 
 namespace glark::tool {
@@ -30,7 +31,8 @@ struct CoarseReconstruction {
   double noise = 0;         // of the points, in their unit
 };
 CoarseReconstruction reconstruct_from(const geometry::Geometry& points, const CoarseOptions& options);
-// Throws std::runtime_error if the points have no surface.
-geometry::Geometry strip_sampling(const stream::Source& source, const CoarseOptions& options, bool skip_invalid);
+// Throws std::runtime_error if the points have no surface. work: keeps the sampling.
+geometry::Geometry strip_sampling(const stream::Source& source, const CoarseOptions& options, bool skip_invalid,
+                                  SavedWork& work);
 
 }  // namespace glark::tool

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 #include "glark/clients/stream/ranks/sample/sample.h"
+#include "glark/clients/stream/files/work_folder.h"
 
 #include <functional>
 #include <memory>

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 #include "glark/clients/stream/ranks/sample/shares.h"
+#include "glark/clients/stream/files/work_folder.h"
 
 #include <algorithm>
 #include <numeric>
@@ -60,7 +61,7 @@ RanksCensus take_census(Ranks& ranks, BlockSource& source, const CensusOptions& 
     own.begin = result.range.begin;
     own.end = result.range.end;
     WorkFolder nowhere({}, "", false);
-    Checkpoints checkpoints(nowhere, result.range.end - result.range.begin);
+    common::Checkpoints checkpoints(nowhere, result.range.end - result.range.begin);
     const auto advance = [&](std::uint64_t done) {
       if (progress && done > 0) progress(static_cast<double>(done) / static_cast<double>(own.end - own.begin));
     };

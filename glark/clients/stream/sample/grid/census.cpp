@@ -126,7 +126,7 @@ class Counts {
   std::array<double, 3> low_{}, high_{};
 };
 
-void save(const Census& census, StateWriter& state) {
+void save(const Census& census, common::StateWriter& state) {
   state.put(census.lattice);
   state.put(census.level);
   state.put(census.points);
@@ -136,7 +136,7 @@ void save(const Census& census, StateWriter& state) {
   state.put_all(std::span<const Cube>(census.cubes));
 }
 
-bool load(StateReader& state, Census& census) {
+bool load(common::StateReader& state, Census& census) {
   return state.get(census.lattice) && state.get(census.level) && state.get(census.points) &&
          state.get(census.left_out) && state.get(census.low) && state.get(census.high) && state.get_all(census.cubes);
 }
@@ -193,13 +193,14 @@ double Census::dimension() const {
 }
 
 Census take_census(BlockSource& source, const CensusOptions& options, const Advance& advance,
-                   Checkpoints& checkpoints) {
+                   common::Checkpoints& checkpoints) {
   constexpr const char* name = "census";
   Census begun;
   begun.lattice = options.lattice;
   begun.low.fill(std::numeric_limits<double>::infinity());
   begun.high.fill(-std::numeric_limits<double>::infinity());
-  if (Census saved = begun; checkpoints.folder().load(name, [&](StateReader& state) { return load(state, saved); }))
+  if (Census saved = begun;
+      checkpoints.folder().load(name, [&](common::StateReader& state) { return load(state, saved); }))
     begun = std::move(saved);
   checkpoints.begin(begun.points);
   const std::uint64_t begin = begun.points;
@@ -220,9 +221,10 @@ Census take_census(BlockSource& source, const CensusOptions& options, const Adva
     read = source.each(first, std::min(options.end, first + batch), count);
     done += read;
     if (advance) advance(done);
-    if (checkpoints.is_due(done)) checkpoints.folder().save(name, [&](StateWriter& state) { save(counted(), state); });
+    if (checkpoints.is_due(done))
+      checkpoints.folder().save(name, [&](common::StateWriter& state) { save(counted(), state); });
   }
-  if (done > begin) checkpoints.folder().save(name, [&](StateWriter& state) { save(counted(), state); });
+  if (done > begin) checkpoints.folder().save(name, [&](common::StateWriter& state) { save(counted(), state); });
   return counted();
 }
 

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "glark/clients/stream/files/checkpoints.h"
+#include "glark/clients/common/work/checkpoints.h"
 #include "glark/clients/stream/sample/grid/block_source.h"
 #include "glark/clients/stream/sample/grid/cube_table.h"
 #include "glark/clients/stream/sample/grid/lattice.h"
@@ -40,6 +40,7 @@ struct CensusOptions {
 };
 
 // Points whose coordinates are not finite are left out; the reader may throw Error for them. Continues from a saved state.
-Census take_census(BlockSource& source, const CensusOptions& options, const Advance& advance, Checkpoints& checkpoints);
+Census take_census(BlockSource& source, const CensusOptions& options, const Advance& advance,
+                   common::Checkpoints& checkpoints);
 
 }  // namespace glark::stream

@@ -29,7 +29,7 @@ struct PassInput {
   const Plan& plan;
   const common::Workers& workers;
   Advance advance;
-  Checkpoints& checkpoints;
+  common::Checkpoints& checkpoints;
 };
 
 // Both passes continue from a saved state.

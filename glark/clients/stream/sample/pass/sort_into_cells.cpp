@@ -50,11 +50,11 @@ class CellSorter {
   }
 
  private:
-  WorkFolder& folder() const { return input_.checkpoints.folder(); }
+  common::WorkFolder& folder() const { return input_.checkpoints.folder(); }
 
   bool load_trees() {
     std::uint64_t cell = 0;
-    const bool is_begun = folder().load("trees-built", [&](StateReader& state) {
+    const bool is_begun = folder().load("trees-built", [&](common::StateReader& state) {
       return state.get(cell) && cell <= begins_.size() && trees_.load(state);
     });
     next_cell_ = is_begun ? static_cast<std::size_t>(cell) : 0;
@@ -62,7 +62,7 @@ class CellSorter {
     return is_begun;
   }
   void save_trees() {
-    folder().save("trees-built", [&](StateWriter& state) {
+    folder().save("trees-built", [&](common::StateWriter& state) {
       state.put(std::uint64_t{next_cell_});
       trees_.save(state);
     });
@@ -90,7 +90,7 @@ class CellSorter {
   std::uint64_t load_sorted() {
     std::uint64_t done = 0;
     std::vector<std::uint64_t> written;
-    const bool is_begun = folder().load("sorted", [&](StateReader& state) {
+    const bool is_begun = folder().load("sorted", [&](common::StateReader& state) {
       return state.get(done) && state.get_all(written) && written.size() == written_.size();
     });
     if (!is_begun) done = 0;
@@ -100,7 +100,7 @@ class CellSorter {
   }
   void save_sorted(std::uint64_t done) {
     flush_all();
-    folder().save("sorted", [&](StateWriter& state) {
+    folder().save("sorted", [&](common::StateWriter& state) {
       state.put(done);
       state.put_all(std::span<const std::uint64_t>(written_));
     });

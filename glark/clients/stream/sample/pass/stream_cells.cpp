@@ -63,7 +63,7 @@ class CellStream {
   // Restores the state of an earlier run. Returns the number of points that it has finished; 0 without a state.
   std::uint64_t begin() {
     std::uint64_t done = 0;
-    const bool is_begun = input_.checkpoints.folder().load(state_name, [&](StateReader& state) {
+    const bool is_begun = input_.checkpoints.folder().load(state_name, [&](common::StateReader& state) {
       std::uint64_t finished = 0;
       std::vector<std::uint64_t> missing;
       if (!state.get(done) || !state.get(finished) || !state.get_all(missing) || missing.size() != missing_.size() ||
@@ -87,7 +87,7 @@ class CellStream {
   }
 
   void save(std::uint64_t done) {
-    input_.checkpoints.folder().save(state_name, [&](StateWriter& state) {
+    input_.checkpoints.folder().save(state_name, [&](common::StateWriter& state) {
       state.put(done);
       state.put(std::uint64_t{finished_});
       state.put_all(std::span<const std::uint64_t>(missing_));

@@ -4,7 +4,7 @@
 
 namespace glark::stream {
 
-TreeStore::TreeStore(const WorkFolder& work, const std::filesystem::path& temporary, std::size_t cells)
+TreeStore::TreeStore(const common::WorkFolder& work, const std::filesystem::path& temporary, std::size_t cells)
     : file_(work.is_used() ? std::make_unique<TemporaryFile>(KeptFile{work.path("trees")})
                            : std::make_unique<TemporaryFile>(temporary)),
       places_(cells) {}
@@ -28,12 +28,12 @@ void TreeStore::read(std::size_t cell, std::vector<ClusterNode>& nodes) const {
               {reinterpret_cast<char*>(nodes.data()), nodes.size() * sizeof(ClusterNode)});
 }
 
-void TreeStore::save(StateWriter& state) const {
+void TreeStore::save(common::StateWriter& state) const {
   state.put(file_->size());
   state.put_all(std::span<const Place>(places_));
 }
 
-bool TreeStore::load(StateReader& state) {
+bool TreeStore::load(common::StateReader& state) {
   std::uint64_t size = 0;
   std::vector<Place> places;
   if (!state.get(size) || !state.get_all(places) || places.size() != places_.size()) return false;

@@ -4,8 +4,8 @@
 
 #include <memory>
 
+#include "glark/clients/common/work/work_folder.h"
 #include "glark/clients/stream/files/temporary_file.h"
-#include "glark/clients/stream/files/work_folder.h"
 #include "glark/clients/stream/sample/tree/cluster_tree.h"
 
 namespace glark::stream {
@@ -14,7 +14,7 @@ namespace glark::stream {
 class TreeStore {
  public:
   // The file has a name in the work folder, if that is used; else it has none, and lies in `temporary`.
-  TreeStore(const WorkFolder& work, const std::filesystem::path& temporary, std::size_t cells);
+  TreeStore(const common::WorkFolder& work, const std::filesystem::path& temporary, std::size_t cells);
   struct Root {
     Shape shape;  // relative to the cell's centre
     float error = 0;
@@ -22,8 +22,8 @@ class TreeStore {
   void put(std::size_t cell, const ClusterTree& tree);  // several threads may call it
   Root root(std::size_t cell) const;
   void read(std::size_t cell, std::vector<ClusterNode>& nodes) const;
-  void save(StateWriter& state) const;
-  bool load(StateReader& state);
+  void save(common::StateWriter& state) const;
+  bool load(common::StateReader& state);
 
  private:
   // Kept for each cell, so it is small. The root stands in the file before the nodes.

@@ -84,11 +84,11 @@ std::size_t MicroTable::bytes() const {
   return bytes;
 }
 
-void MicroTable::save(StateWriter& state) const {
+void MicroTable::save(common::StateWriter& state) const {
   for (const Part& part : parts_) state.put_all(std::span<const MicroCluster>(part.clusters));
 }
 
-bool MicroTable::load(StateReader& state) {
+bool MicroTable::load(common::StateReader& state) {
   for (Part& part : parts_) {
     if (!state.get_all(part.clusters)) return false;
     std::size_t slots = 64;

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "glark/clients/stream/files/state_file.h"
+#include "glark/clients/common/work/state_file.h"
 
 namespace glark::stream {
 
@@ -47,8 +47,8 @@ class MicroTable {
   std::vector<MicroCluster> take();
   std::size_t size() const;  // micro-clusters
   std::size_t bytes() const;
-  void save(StateWriter& state) const;
-  bool load(StateReader& state);
+  void save(common::StateWriter& state) const;
+  bool load(common::StateReader& state);
 
  private:
   struct Part {

@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/clients/stream/files/state_file.h"
+#include "glark/clients/common/work/state_file.h"
 
 #include <algorithm>
 #include <array>
 
 #include "glark/clients/common/fnv.h"
 
-namespace glark::stream {
+namespace glark::common {
 void StateWriter::write(const void* bytes, std::size_t size) {
   if (size == 0 || !is_good_) return;
-  sum_ = common::add_to_fnv(sum_, {static_cast<const char*>(bytes), size});
+  sum_ = add_to_fnv(sum_, {static_cast<const char*>(bytes), size});
   is_good_ = std::fwrite(bytes, 1, size, file_) == size;
 }
 
@@ -31,7 +31,7 @@ StateReader::StateReader(std::FILE* file) : file_(file) {
   for (long left = size - sum_size; left > 0;) {
     const std::size_t part = std::min<std::size_t>(block.size(), static_cast<std::size_t>(left));
     if (std::fread(block.data(), 1, part, file) != part) return;
-    sum = common::add_to_fnv(sum, {block.data(), part});
+    sum = add_to_fnv(sum, {block.data(), part});
     left -= static_cast<long>(part);
   }
   if (std::fread(&wanted, 1, sizeof(wanted), file) != sizeof(wanted) || wanted != sum) return;
@@ -45,4 +45,4 @@ bool StateReader::read(void* bytes, std::size_t size) {
   return true;
 }
 
-}  // namespace glark::stream
+}  // namespace glark::common

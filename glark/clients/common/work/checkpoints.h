@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "glark/clients/stream/files/work_folder.h"
+#include "glark/clients/common/work/work_folder.h"
 
-namespace glark::stream {
+namespace glark::common {
 
 // Tells when to save the state of a pass: after each twentieth of the points, but not for fewer than a million.
 class Checkpoints {
@@ -31,4 +31,4 @@ class Checkpoints {
   std::uint64_t step_, next_;
 };
 
-}  // namespace glark::stream
+}  // namespace glark::common

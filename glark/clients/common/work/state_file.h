@@ -12,7 +12,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace glark::stream {
+namespace glark::common {
 
 struct CloseFile {
   void operator()(std::FILE* file) const { std::fclose(file); }
@@ -71,4 +71,4 @@ class StateReader {
   std::uint64_t left_ = 0;
 };
 
-}  // namespace glark::stream
+}  // namespace glark::common
