@@ -259,6 +259,15 @@ void bind_maps(py::module_& module) {
       },
       py::arg("file"), py::arg("model"),
       "Write a model as binary glTF, and its displacement map beside it: model.displacement.png for model.glb.");
+  maps_module.def(
+      "write_ply",
+      [](const std::filesystem::path& file, const Baked& model, bool strips) {
+        with_models([&] { maps::write_ply(file, model, strips); });
+      },
+      py::arg("file"), py::arg("model"), py::kw_only(), py::arg("strips") = false,
+      "Write a model as PLY, and its maps beside it: model.normals.png, model.displacement.png and model.colours.png "
+      "for\n"
+      "model.ply. strips: triangle strips instead of triangles.");
 }
 
 }  // namespace glark::python

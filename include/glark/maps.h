@@ -180,6 +180,13 @@ GLARK_EXPORT Baked bake(const CoarseMesh& mesh, const stream::Source& points, co
 // complete. Errors: Error for files that cannot be written, or a model of more than 4 GiB.
 GLARK_EXPORT void write_model(const std::filesystem::path& file, const Baked& model);
 
+// Writes a binary PLY file with normals, texture coordinates and, with colours, the texel at each vertex, and the maps beside
+// it: "model.normals.png", "model.displacement.png" and, with colours, "model.colours.png" for "model.ply". Comments in the
+// header name them, and tell scale and bias; "TextureFile" is the colour map, which MeshLab and CloudCompare show.
+// strips: writes triangle strips ("tristrips") instead of faces. Files appear complete. Errors: Error for files that cannot
+// be written.
+GLARK_EXPORT void write_ply(const std::filesystem::path& file, const Baked& model, bool strips = false);
+
 // Returns the normal map in object space, for programs without tangent spaces: [3 * width * height], from -1 to 1 on each
 // axis of the positions, as bytes. Texels more than 4 from all charts have 128 128 128.
 GLARK_EXPORT std::vector<std::uint8_t> object_normals(const Baked& model);

@@ -90,7 +90,9 @@ class Bake(CommandCase):
 
     def test_bad_input(self):
         cases = [
-            (1, ("bake", self.bumpy(), "-o", "out.ply"), ".glb"),
+            (1, ("bake", self.bumpy(), "-o", "out.obj"), ".glb or .ply"),
+            (1, ("bake", self.bumpy(), "-o", "out.glb", "--strips"), "--strips is for PLY"),
+            (1, ("bake", self.bumpy(), "-o", "out\n.ply"), "line break"),
             (1, ("bake", "missing.ply", "-o", "out.glb"), "missing.ply"),
             (1, ("bake", self.bumpy(), "-o", "no/folder/out.glb"), "no/folder"),
             (1, ("bake", self.bumpy(), "-o", "out.glb", "--mesh", self.bumpy("p.ply", points_only=True)), "no triangles"),
@@ -175,6 +177,47 @@ class Bake(CommandCase):
         (self.path / "mirrored.glb").write_bytes(b"glTF" + struct.pack("<IIII", 2, 20 + len(text) + len(rest), len(text), 0x4E4F534A) + text + rest)
         report = self.report("bake", "mirrored.glb", "-o", "model.glb", "--triangles", "500")
         self.assertEqual(0, report["points_left_out"])
+
+    def test_ply(self):
+        """The model as faces and as strips: the same triangles with the same texture coordinates, and the maps beside."""
+        points, triangles = sphere(40)
+        scan = self.path / "scan.ply"
+        colours = [[int(127 + 100 * c) for c in point] for point in points]
+        header = ["ply", "format binary_little_endian 1.0", f"element vertex {len(points)}", *(f"property float {n}" for n in (
+            "x", "y", "z", "nx", "ny", "nz")), *(f"property uchar {n}" for n in ("red", "green", "blue")),
+            f"element face {len(triangles)}", "property list uchar int vertex_indices", "end_header", ""]
+        scan.write_bytes("\n".join(header).encode() + b"".join(struct.pack("<6f3B", *p, *p, *c) for p, c in zip(points, colours))
+                         + b"".join(struct.pack("<B3i", 3, *t) for t in triangles))
+        report = self.report("bake", scan, "-o", "model.ply", "--triangles", "500")
+        self.report("bake", scan, "-o", "strips.ply", "--triangles", "500", "--strips")
+        self.assertEqual({f"{stem}{ending}" for stem in ("model", "strips") for ending in (
+            ".ply", ".normals.png", ".colours.png", ".displacement.png")} | {"scan.ply", "sphere.ply"},
+            {file.name for file in self.path.iterdir()})
+        head, body = (self.path / "model.ply").read_bytes().split(b"end_header\n", 1)
+        self.assertIn(b"comment TextureFile model.colours.png\n", head)
+        self.assertIn(b"comment Displacement scale ", head)
+        vertices = list(struct.iter_unpack("<6f3B2f", body[:report["vertices"] * 35]))
+        faces = list(struct.iter_unpack("<B3iB6f", body[report["vertices"] * 35:]))
+        self.assertEqual(report["triangles"], len(faces))
+        for face in faces:
+            self.assertEqual((3, 6), (face[0], face[4]))
+            self.assertEqual(face[5:], tuple(c for v in face[1:4] for c in vertices[v][9:11]))
+        for vertex in vertices:  # the coarse sphere is inside the fine one
+            for k in range(3):
+                self.assertAlmostEqual(127 + 100 * vertex[k] / math.hypot(*vertex[:3]), vertex[6 + k], delta=12)
+        strip_head, strip_body = (self.path / "strips.ply").read_bytes().split(b"end_header\n", 1)
+        self.assertEqual(body[:report["vertices"] * 35], strip_body[:report["vertices"] * 35])
+        numbers = [n for n, in struct.iter_unpack("<i", strip_body[report["vertices"] * 35:])]
+        seen, at = [], 0
+        while at < len(numbers):
+            strip = numbers[at + 1:at + 1 + numbers[at]]
+            at += 1 + numbers[at]
+            seen += [(strip[i + i % 2], strip[i + 1 - i % 2], strip[i + 2]) for i in range(len(strip) - 2)]
+        turned = lambda t: min(t[i:] + t[:i] for i in range(3))  # noqa: E731
+        self.assertEqual(sorted(turned(face[1:4]) for face in faces), sorted(map(turned, seen)))
+        self.assertLess(len(numbers), 2 * len(faces))
+        for name in ("model.ply", "strips.ply"):
+            self.assertEqual(report["triangles"], self.report("info", name)["triangles"])
 
     def test_inverted_normals_keep_the_old_model(self):
         points, triangles = sphere(60)

@@ -107,6 +107,24 @@ class Maps(unittest.TestCase):
         with self.assertRaisesRegex(glark.FileError, "none"):
             glark.maps.write_model(self.path("none") / "a.glb", model)
 
+    def test_write_ply(self):
+        model = glark.maps.bake(OCTAHEDRON, TRIANGLES, self.fine, **SMALL)
+        for strips in (False, True):
+            glark.maps.write_ply(self.path("a.ply"), model, strips=strips)
+            self.assertEqual(8, len(glark.read(self.path("a.ply")).triangles))
+            self.assertEqual(strips, b"tristrips" in self.path("a.ply").read_bytes())
+        self.assertTrue(self.path("a.normals.png").exists())
+        with self.assertRaisesRegex(glark.FileError, "none"):
+            glark.maps.write_ply(self.path("none") / "a.ply", model)
+
+    def test_resume(self):
+        work = self.path("work")
+        model = glark.maps.bake(OCTAHEDRON, TRIANGLES, self.fine, work=work, **SMALL)
+        again = glark.maps.bake(OCTAHEDRON, TRIANGLES, self.fine, work=work, resume=True, **SMALL)
+        self.assertTrue((model.normal_map == again.normal_map).all())
+        with self.assertRaisesRegex(glark.FileError, "noise"):
+            glark.maps.bake(OCTAHEDRON, TRIANGLES, self.fine, work=work, resume=True, noise=1, **SMALL)
+
     def test_errors(self):
         def bake(source=self.fine, **options):
             return glark.maps.bake(OCTAHEDRON, TRIANGLES, source, **options)

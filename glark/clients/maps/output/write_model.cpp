@@ -11,8 +11,7 @@
 #include <string_view>
 
 #include "glark/clients/common/fnv.h"
-#include "glark/clients/geometry/geometry.h"
-#include "glark/clients/geometry/write/output_file.h"
+#include "glark/clients/maps/output/file_set.h"
 #include "glark/clients/maps/output/png.h"
 
 #include <tiny_gltf.h>
@@ -162,13 +161,9 @@ void require_size(const std::filesystem::path& file, const Baked& model) {
 
 void write_picture(std::filesystem::path file, const char* ending, const std::vector<std::uint8_t>& map,
                    const Baked& model) {
-  try {
-    geometry::OutputFile output(file.replace_extension(ending));
-    output.write(png_of(std::span(map), model.width, model.height));
-    output.commit();
-  } catch (const geometry::Error& error) {
-    throw Error(Element::file, 0, error.what());
-  }
+  FileSet files;
+  files.add(file.replace_extension(ending), png_of(std::span(map), model.width, model.height));
+  files.commit();
 }
 
 }  // namespace
@@ -177,23 +172,15 @@ void write_model(const std::filesystem::path& file, const Baked& model) {
   require_size(file, model);
   std::filesystem::path beside = file;
   beside.replace_extension(".displacement.png");
-  try {
-    geometry::OutputFile displacement(beside);
-    const std::string map = png_of(std::span(model.displacement_map), model.width, model.height);
-    displacement.write(map);
-    geometry::OutputFile output(file);
-    tinygltf::Model gltf = ModelBuilder(model, beside.filename().string(), map).build();
-    std::ostringstream out;
-    if (!tinygltf::TinyGLTF().WriteGltfSceneToStream(&gltf, out, false, true))
-      throw Error(Element::file, 0, fmt::format("{} could not be written by tinygltf", file.string()));
-    output.write(std::move(out).str());
-    displacement.prepare();
-    output.prepare();
-    displacement.commit();
-    output.commit();
-  } catch (const geometry::Error& error) {
-    throw Error(Element::file, 0, error.what());
-  }
+  FileSet files;
+  const std::string map = png_of(std::span(model.displacement_map), model.width, model.height);
+  files.add(beside, map);
+  tinygltf::Model gltf = ModelBuilder(model, beside.filename().string(), map).build();
+  std::ostringstream out;
+  if (!tinygltf::TinyGLTF().WriteGltfSceneToStream(&gltf, out, false, true))
+    throw Error(Element::file, 0, fmt::format("{} could not be written by tinygltf", file.string()));
+  files.add(file, std::move(out).str());
+  files.commit();
 }
 
 void write_pictures(const std::filesystem::path& file, const Baked& model) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// glark bake LARGE -o MODEL.glb: a coarse mesh with a normal map, a colour map and a displacement map.
+// glark bake LARGE -o MODEL.glb, or MODEL.ply: a coarse mesh with a normal map, a colour map and a displacement map.
 #include <fmt/format.h>
 
 #include <glark/maps.h>
@@ -43,7 +43,7 @@ struct Bake {
   maps::BakeOptions options;
   std::optional<double> noise;  // empty: measured
   Memory memory;
-  bool pictures = false, object_normals = false, resume = false;
+  bool pictures = false, object_normals = false, strips = false, resume = false;
 };
 
 // The fine surface. Its points are in a file, or in the memory.
@@ -64,13 +64,34 @@ bool is_utf8(const std::string& text) {
   }
 }
 
-void require_glb(const std::string& output) {
-  const std::filesystem::path file(output);
-  if (file.extension() != ".glb")
-    throw std::runtime_error(output +
-                             ": the model is written as binary glTF; give a name that ends with .glb, as model.glb");
-  if (!is_utf8(file.filename().string()))
-    throw std::runtime_error(output + ": the name is no UTF-8, which the text in a model must be; give another name");
+bool is_ply(const Bake& command) { return std::filesystem::path(command.files.output).extension() == ".ply"; }
+
+void require_model_name(const Bake& command) {
+  const std::filesystem::path file(command.files.output);
+  if (file.extension() != ".glb" && !is_ply(command))
+    throw std::runtime_error(
+        file.string() +
+        ": the model is written as binary glTF or PLY; give a name that ends with .glb or .ply, as "
+        "model.glb");
+  if (command.strips && !is_ply(command))
+    throw std::runtime_error(file.string() + ": --strips is for PLY; give a name that ends with .ply, as model.ply");
+  if (is_ply(command) && file.filename().string().find_first_of("\r\n") != std::string::npos)
+    throw std::runtime_error(
+        file.string() + ": the name has a line break, which a comment of a PLY file cannot have; give another name");
+  if (!is_ply(command) && !is_utf8(file.filename().string()))
+    throw std::runtime_error(file.string() +
+                             ": the name is no UTF-8, which the text in a model must be; give another name");
+}
+
+void write(const Bake& command, const maps::Baked& model) {
+  const std::string& file = command.files.output;
+  if (is_ply(command)) {
+    maps::write_ply(file, model, command.strips);
+  } else {
+    maps::write_model(file, model);
+    if (command.pictures) maps::write_pictures(file, model);
+  }
+  if (command.object_normals) maps::write_object_normals(file, model);
 }
 
 void require_coarse(const geometry::Geometry& mesh, const Bake& command) {
@@ -278,9 +299,7 @@ void bake(const Bake& command, const Fine& fine, SavedWork& work) {
   Progress progress("baking " + command.files.input);
   options.progress = [&](double fraction) { progress.show(fraction); };
   const maps::Baked model = bake_maps(command, fine, mesh, options);
-  maps::write_model(command.files.output, model);
-  if (command.pictures) maps::write_pictures(command.files.output, model);
-  if (command.object_normals) maps::write_object_normals(command.files.output, model);
+  write(command, model);
   Report report = report_of(model, options.noise);
   report["seconds"] = progress.seconds();
   report["peak_memory_bytes"] = peak_memory();
@@ -288,7 +307,7 @@ void bake(const Bake& command, const Fine& fine, SavedWork& work) {
 }
 
 void run(const Bake& command) {
-  require_glb(command.files.output);
+  require_model_name(command);
   check_output(command.files);
   const std::unique_ptr<Fine> fine = read_fine(command);
   SavedWork work(work_folder(command.files.output), identity_of(command, *fine), command.resume);
@@ -336,13 +355,15 @@ void describe_layout(CLI::App& command, Bake& bake) {
 
 void describe(CLI::App& command, Bake& bake) {
   command
-      .add_option("-o,--output", bake.files.output,
-                  "The model to write, .glb. Its displacement map is written beside it")
+      .add_option(
+          "-o,--output", bake.files.output,
+          "The model to write, .glb or .ply. The displacement map is written beside it, and all maps beside .ply")
       ->type_name("MODEL.glb")
       ->required();
   command.add_flag(
       "--png", bake.pictures,
       "Write the normal map and the colour map beside the model, too: MODEL.normals.png, MODEL.colours.png");
+  command.add_flag("--strips", bake.strips, "With .ply: write triangle strips instead of triangles");
   command.add_flag("--object-normals", bake.object_normals,
                    "Write the normals in object space beside the model, too: MODEL.object_normals.png");
   command
