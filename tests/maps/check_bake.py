@@ -10,6 +10,7 @@ import math
 import os
 import pathlib
 import random
+import shutil
 import signal
 import struct
 import subprocess
@@ -142,6 +143,28 @@ class Bake(CommandCase):
         for name in ("out.glb", "out.displacement.png"):
             self.assertEqual((self.path / "wanted" / name).read_bytes(), (self.path / name).read_bytes(), name)
         self.assertEqual([], [file.name for file in self.path.iterdir() if "partial" in file.name or file.name[0] == "."])
+
+    def test_a_full_disk_is_said_and_the_run_continues(self):
+        large = write_raw(self.path / "large.raw", bumpy_sphere(3000000))
+        disk = self.path / "disk"
+        disk.mkdir()
+        command = f"{GLARK} bake {large} --size 256 --triangles 1000 --memory 128MB"
+        script = f"""mount -t tmpfs -o size=1m none {disk} || exit 77
+            echo old > {disk}/out.glb
+            {command} -o {disk}/out.glb && exit 1
+            grep -q old {disk}/out.glb || exit 2
+            mount -o remount,size=99m {disk} || exit 77
+            {command} -o {disk}/out.glb --resume || exit 3
+            test ! -e {disk}/out.glb.partial || exit 4
+            mkdir {disk}/wanted && {command} -o {disk}/wanted/out.glb && cmp {disk}/out.glb {disk}/wanted/out.glb"""
+        if shutil.which("unshare") is None:
+            self.skipTest("unshare is missing")
+        done = subprocess.run(["unshare", "--user", "--map-root-user", "--mount", "sh", "-c", script], capture_output=True,
+                              text=True)
+        if done.returncode == 77 or "unshare failed" in done.stderr or "Operation not permitted" in done.stderr:
+            self.skipTest("the system lets no user mount a file system: " + done.stderr.strip())
+        self.assertEqual(0, done.returncode, done.stderr)
+        self.assertIn("make room on the disk, then resume", done.stderr)
 
     def test_other_work_is_not_resumed(self):
         large = write_raw(self.path / "large.raw", bumpy_sphere(1500000))
