@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <optional>
-
 #include "glark/core/context_options.h"
 #include "glark/gl/types.h"
 
@@ -42,9 +40,6 @@ struct ArkState {
   bool geomorph = false;
   bool weld = false;
   bool tag_array = false;
-  // While a display list is compiled, glARKinit may lower the current tag to this value. The tag is set at the end of
-  // the list and is not compiled.
-  std::optional<GLuint> lowered_tag;
   bool operator==(const ArkState&) const = default;
 };
 

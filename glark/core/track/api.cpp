@@ -12,6 +12,7 @@
 
 #include "glark/core/parameters.h"
 #include "glark/core/track/complain.h"
+#include "glark/core/track/lists/lists.h"
 #include "glark/core/track/track.h"
 
 namespace glark::core {
@@ -193,10 +194,8 @@ void ARKinit(Context& c, GLuint max_level) {
   const GLuint tag = track::current_tag(c);  // of the old level
   c.ark().pool_level = static_cast<int>(max_level);
   c.ark().uniform_level = std::min(c.ark().uniform_level, max_level);
-  if (tag > max_level && c.state().lists().compiling()) {
-    c.ark().lowered_tag = max_level;
-  } else if (tag > max_level) {
-    DepthTag1i(c, max_level);
+  if (tag > max_level) {
+    track::outside_list(c, [&] { DepthTag1i(c, max_level); });
   }
   c.update_refining();
 }
@@ -227,9 +226,6 @@ void DepthTag1i(Context& c, GLuint d) {
   set_tag(c.gl(), c.ark().tag_attribute, &d);
   c.changes().set_current(generic_slot(c.ark().tag_attribute), set_tag, c.ark().tag_attribute, &d, sizeof(d));
   c.state().immediate().note_tag();
-  if (c.state().lists().compiling() && c.state().lists().executes_too()) {
-    c.ark().lowered_tag.reset();
-  }
 }
 
 void DepthTagPointerARK(Context& c, GLenum type, GLsizei stride, const void* pointer) {

@@ -4,7 +4,7 @@
 // Compiling a display list: it is cut into segments of state changes and segments of one draw each (display_list.h). A
 // list that is compiled before refinement is on is not cut.
 #include <bit>
-#include <optional>
+#include <functional>
 #include <utility>
 
 #include "glark/core/objects/error_scope.h"
@@ -230,6 +230,19 @@ void record_calls(Context& c, GLsizei n, GLenum type, const void* names) {
   open_segment(c, lists.mode());
 }
 
+void outside_list(Context& c, const std::function<void()>& call) {
+  ListCompilation& lists = c.state().lists();
+  if (!lists.compiling() || !lists.cutting()) {
+    call();
+    return;
+  }
+  close_segment(c, {});
+  lists.set_compiling(false);
+  call();
+  lists.set_compiling(true);
+  open_segment(c, lists.mode());
+}
+
 void delete_segments(Context& c, const DisplayList& list) {
   for (const ListSegment& segment : list.segments) {
     if (segment.kind != ListSegment::Kind::call && segment.kind != ListSegment::Kind::call_offset) {
@@ -269,7 +282,6 @@ void EndList(Context& c) {
     return;
   }
   end_list(c);
-  if (const std::optional<GLuint> tag = std::exchange(c.ark().lowered_tag, std::nullopt)) DepthTag1i(c, *tag);
 }
 
 }  // namespace hook

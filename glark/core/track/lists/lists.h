@@ -4,6 +4,7 @@
 // Functions that the hooks of display lists share with each other and with the hooks of draws.
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "glark/core/capture/draw_call.h"
@@ -28,6 +29,8 @@ bool list_end(Context& context);
 void record_call(Context& context, GLuint name);
 void record_calls(Context& context, GLsizei n, GLenum type, const void* lists);
 void delete_segments(Context& context, const DisplayList& list);
+// Makes a call that is not compiled, although a list may be.
+void outside_list(Context& context, const std::function<void()>& call);
 
 // While a list is called (call_list.cpp).
 void call_segment(Context& context, const ListSegment& segment, int depth);

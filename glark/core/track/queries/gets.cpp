@@ -142,6 +142,13 @@ void GetDoublev(Context& c, GLenum name, GLdouble* data) { get(c, name, data, c.
 
 void GetInteger64v(Context& c, GLenum name, GLint64* data) { get(c, name, data, c.gl().GetInteger64v); }
 
+void GetTransformFeedbackiv(Context& c, GLuint id, GLenum name, GLint* data) {
+  c.gl().GetTransformFeedbackiv(id, name, data);
+  if (id == c.state().bindings().transform_feedback.object) {
+    correct_paused_feedback(c, name, data);
+  }
+}
+
 void GetPointerv(Context& c, GLenum name, void** data) {
   if (c.capabilities().refinable && name == GL_DEPTH_TAG_ARRAY_POINTER_ARK && data != nullptr) {
     c.gl().GetVertexAttribPointerv(c.ark().tag_attribute, GL_VERTEX_ATTRIB_ARRAY_POINTER, data);
