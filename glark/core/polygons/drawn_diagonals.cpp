@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/polygons/drawn_diagonals.h"
 
+#include <utility>
+
 #include "glark/core/objects/error_scope.h"
 #include "glark/core/objects/gpu_buffer.h"
 #include "glark/core/objects/programs/shader.h"
@@ -9,7 +11,6 @@
 namespace glark::polygons {
 namespace {
 
-constexpr int most_tries = 8;
 constexpr float nothing_drawn = -1;
 
 // Two corners that face each other have the value 1, the other two have 0. The middle has that of the diagonal's ends.
@@ -92,12 +93,13 @@ void show_one_pixel(const gl::Dispatch& gl) {
 
 std::optional<Diagonal> DrawnDiagonals::find(GLenum mode, QuadSource source) {
   const bool first = env_.bindings().provoking_vertex == GL_FIRST_VERTEX_CONVENTION;
-  Known& known = known_[4 * (mode == GL_QUADS ? 0U : 2U) + (first ? 4U : 0U) + static_cast<std::size_t>(source)];
-  if (!known.diagonal && known.tries < most_tries && can_probe()) {
-    ++known.tries;
-    known.diagonal = probe(mode, source);
+  std::optional<Diagonal>& known =
+      known_[4 * (mode == GL_QUADS ? 0U : 2U) + (first ? 4U : 0U) + static_cast<std::size_t>(source)];
+  // However often GL has drawn nothing: the next draw may be outside of the conditional rendering.
+  if (!known && can_probe()) {
+    known = probe(mode, source);
   }
-  return known.diagonal;
+  return known;
 }
 
 bool DrawnDiagonals::can_probe() const {
@@ -106,25 +108,29 @@ bool DrawnDiagonals::can_probe() const {
   return !counted && !b.transform_feedback.active && !b.rasterizer_discard && !env_.state.lists().compiling();
 }
 
-std::optional<Diagonal> DrawnDiagonals::probe(GLenum mode, QuadSource source) const {
+std::optional<Diagonal> DrawnDiagonals::probe(GLenum mode, QuadSource source) {
   core::ErrorScope errors(env_.errors);
-  const core::ShaderText texts[] = {{GL_VERTEX_SHADER, vertex_source}, {GL_FRAGMENT_SHADER, fragment_source}};
-  const GLuint program = core::build_program(env_.gl, "the program that looks for the diagonals of quads", texts);
+  if (program_ == 0) {
+    const core::ShaderText texts[] = {{GL_VERTEX_SHADER, vertex_source}, {GL_FRAGMENT_SHADER, fragment_source}};
+    program_ = core::build_program(env_.gl, "the program that looks for the diagonals of quads", texts);
+  }
   float middle = nothing_drawn;
   core::GpuBuffer result;
-  if (program == 0 || !result.allocate(env_.gl, sizeof(middle), &middle, GL_STREAM_READ)) {
+  if (program_ == 0 || !result.allocate(env_.gl, sizeof(middle), &middle, GL_STREAM_READ)) {
     return std::nullopt;
   }
   env_.gl.PushAttrib(GL_ENABLE_BIT | GL_VIEWPORT_BIT);
   if (errors.take() == GL_NO_ERROR) {  // else, the application has filled the stack
-    draw(program, result.name(), mode, source);
+    draw(program_, result.name(), mode, source);
     env_.gl.PopAttrib();
     result.read(env_.gl, 0, sizeof(middle), &middle);
   }
   result.release(env_.gl);
-  env_.gl.DeleteProgram(program);
-  return middle == nothing_drawn ? std::nullopt
-                                 : std::optional(middle > 0.5F ? Diagonal::from_first : Diagonal::from_second);
+  if (middle == nothing_drawn) {
+    return std::nullopt;
+  }
+  env_.gl.DeleteProgram(std::exchange(program_, 0));
+  return middle > 0.5F ? Diagonal::from_first : Diagonal::from_second;
 }
 
 void DrawnDiagonals::draw(GLuint program, GLuint result, GLenum mode, QuadSource source) const {

@@ -27,17 +27,14 @@ class DrawnDiagonals {
   std::optional<Diagonal> find(GLenum mode, QuadSource source);
 
  private:
-  struct Known {
-    std::optional<Diagonal> diagonal;
-    int tries = 0;
-  };
-  std::optional<Diagonal> probe(GLenum mode, QuadSource source) const;
+  std::optional<Diagonal> probe(GLenum mode, QuadSource source);
   bool can_probe() const;
   void draw(GLuint program, GLuint result, GLenum mode, QuadSource source) const;
 
   const core::Environment& env_;
   const core::ProgramSwitch& programs_;
-  std::array<Known, 16> known_;  // by mode, convention and source
+  std::array<std::optional<Diagonal>, 16> known_;  // by mode, convention and source
+  GLuint program_ = 0;                             // 0 again once a diagonal was found
 };
 
 }  // namespace glark::polygons
