@@ -104,10 +104,64 @@ void check_half_tags(Test& t, GLenum mode) {
   }
 }
 
+// An implementation that finds out the diagonals of quads by drawing one sees nothing while a condition is false. The
+// corners have other colours, so another diagonal shows.
+void check_condition(Test& t, GLenum mode, bool has_array) {
+  constexpr GLfloat colours[4][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
+  constexpr GLfloat quad[4][2] = {{-0.8F, -0.8F}, {0.8F, -0.8F}, {0.8F, 0.8F}, {-0.8F, 0.8F}};
+  const std::array<std::size_t, 4> order =
+      mode == GL_QUAD_STRIP ? std::array<std::size_t, 4>{0, 1, 3, 2} : std::array<std::size_t, 4>{0, 1, 2, 3};
+  std::vector<GLfloat> places;
+  std::vector<GLfloat> hues;
+  for (std::size_t i = 0; i < 4; ++i) {
+    places.insert(places.end(), quad[order[i]], quad[order[i]] + 2);
+    hues.insert(hues.end(), colours[i], colours[i] + 3);
+  }
+  const auto draw = [&] {
+    if (has_array) return gl.DrawArrays(mode, 0, 4);
+    gl.Begin(mode);
+    for (std::size_t i = 0; i < 4; ++i) {
+      gl.Color3fv(&hues[3 * i]);
+      gl.Vertex2fv(&places[2 * i]);
+    }
+    gl.End();
+  };
+  if (has_array) {
+    gl.VertexPointer(2, GL_FLOAT, 0, places.data());
+    gl.ColorPointer(3, GL_FLOAT, 0, hues.data());
+    gl.EnableClientState(GL_VERTEX_ARRAY);
+    gl.EnableClientState(GL_COLOR_ARRAY);
+  }
+  const Picture plain = picture_of(draw);
+  GLuint nothing_seen = 0;
+  gl.GenQueries(1, &nothing_seen);
+  gl.BeginQuery(GL_ANY_SAMPLES_PASSED, nothing_seen);
+  gl.EndQuery(GL_ANY_SAMPLES_PASSED);
+  refine_uniformly(2);
+  for (int again = 0; again < 12; ++again) {
+    gl.BeginConditionalRender(nothing_seen, GL_QUERY_WAIT);
+    draw();
+    gl.EndConditionalRender();
+  }
+  for (int again = 0; again < 2; ++again)
+    t.expect_same_picture(picture_of(draw), plain, "the quad after draws whose condition was false", 3, 40);
+  t.expect_no_error("the draws");
+}
+
 }  // namespace
 
 Cases first_quads_cases() {
   Cases cases;
+  for (const auto& [mode, name] : {std::pair<GLenum, const char*>{GL_QUADS, "quads"}, {GL_QUAD_STRIP, "quad_strip"}})
+    for (const bool has_array : {false, true})
+      cases.push_back(
+          {.name = std::string("ark.draw.first_quads.condition.") + name + (has_array ? ".array" : ".begin"),
+           .clauses = {"10.R.2-1", "11.R.3-5"},
+           .plan = "The first quads of a context are drawn under a condition that is false, many times. Quads "
+                   "after it have the unrefined picture.",
+           .wrong = "Quads are divided along the other diagonal.",
+           .apis = compat_only,
+           .check = [mode = mode, has_array](Test& t) { check_condition(t, mode, has_array); }});
   for (const auto& [mode, name] :
        {std::pair<GLenum, const char*>{GL_QUADS, "quads"}, {GL_QUAD_STRIP, "quad_strip"}, {GL_POLYGON, "polygon"}})
     for (const auto& [source, depths] :

@@ -68,6 +68,16 @@ void at_height_unit(const std::function<void()>& call) {
   gl.ActiveTexture(GL_TEXTURE0);
 }
 
+void draw_map_triangle() { gl.DrawArrays(GL_TRIANGLES, 0, 3); }
+
+// Changes the unit between PushAttrib and PopAttrib, and draws there.
+void between_groups(GLbitfield group, const std::function<void()>& change) {
+  gl.PushAttrib(group);
+  at_height_unit(change);
+  repeat_often(draw_map_triangle);
+  gl.PopAttrib();
+}
+
 constexpr GLfloat new_texels[] = {map_heights[4], map_heights[4] + other_texel};
 
 constexpr MapChange map_changes[] = {
@@ -141,6 +151,42 @@ constexpr MapChange map_changes[] = {
        gl.MultiTexSubImage2DEXT(GL_TEXTURE0 + height_unit, GL_TEXTURE_2D, 0, 0, 0, 1, 1, GL_RED, GL_FLOAT, new_texels);
      },
      compat_only, 0, "GL_EXT_direct_state_access"},
+    {"pop_attrib.texture", map_heights[1],
+     [](const Maps& m) { between_groups(GL_TEXTURE_BIT, [&] { gl.BindTexture(GL_TEXTURE_2D, m.second); }); },
+     compat_only},
+    {"pop_attrib.all", map_heights[1],
+     [](const Maps& m) {
+       between_groups(GLbitfield{GL_ALL_ATTRIB_BITS}, [&] { gl.BindTexture(GL_TEXTURE_2D, m.second); });
+     },
+     compat_only},
+    {"pop_attrib.wrap", map_heights[1],
+     [](const Maps&) {
+       between_groups(GL_TEXTURE_BIT, [] { gl.TexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE); });
+     },
+     compat_only},
+    {"pop_attrib.nested", map_heights[1],
+     [](const Maps& m) {
+       between_groups(GL_TEXTURE_BIT, [&] {
+         gl.PushAttrib(GL_CURRENT_BIT);
+         gl.BindTexture(GL_TEXTURE_2D, m.second);
+         gl.PopAttrib();
+       });
+     },
+     compat_only},
+    {"pop_attrib.other_group", map_heights[3],
+     [](const Maps& m) { between_groups(GL_ENABLE_BIT, [&] { gl.BindTexture(GL_TEXTURE_2D, m.second); }); },
+     compat_only},
+    {"pop_attrib.listed", map_heights[1],
+     [](const Maps& m) {
+       gl.NewList(1, GL_COMPILE);
+       gl.PopAttrib();
+       gl.EndList();
+       gl.PushAttrib(GL_TEXTURE_BIT);
+       at_height_unit([&] { gl.BindTexture(GL_TEXTURE_2D, m.second); });
+       repeat_often(draw_map_triangle);
+       gl.CallList(1);
+     },
+     compat_only},
     {"copy_image", map_heights[3],
      [](const Maps& m) {
        gl.CopyImageSubData(m.second, GL_TEXTURE_2D, 0, 0, 0, 0, m.first, GL_TEXTURE_2D, 0, 0, 0, 0, 2, 1, 1);
@@ -163,8 +209,6 @@ void upload_map_triangle(float height) {
   }
   upload(mesh, false);
 }
-
-void draw_map_triangle() { gl.DrawArrays(GL_TRIANGLES, 0, 3); }
 
 Maps bind_maps() {
   Maps maps{.first = height_texture(map_heights[1]),

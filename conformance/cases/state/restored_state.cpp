@@ -78,7 +78,58 @@ constexpr Name names[] = {
     {GL_CLIENT_ATTRIB_STACK_DEPTH, 0, true},
 };
 
-constexpr GLuint indexed_bindings = 4;
+// What has several binding points, and which of their values are read. An implementation may borrow any of them.
+struct IndexedState {
+  const char* what;
+  GLenum limit;
+  std::vector<GLenum> values;
+};
+
+const std::vector<IndexedState>& indexed_states() {
+  static const std::vector<IndexedState> all = {
+      {"uniform",
+       GL_MAX_UNIFORM_BUFFER_BINDINGS,
+       {GL_UNIFORM_BUFFER_BINDING, GL_UNIFORM_BUFFER_START, GL_UNIFORM_BUFFER_SIZE}},
+      {"storage",
+       GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS,
+       {GL_SHADER_STORAGE_BUFFER_BINDING, GL_SHADER_STORAGE_BUFFER_START, GL_SHADER_STORAGE_BUFFER_SIZE}},
+      {"atomic counter",
+       GL_MAX_ATOMIC_COUNTER_BUFFER_BINDINGS,
+       {GL_ATOMIC_COUNTER_BUFFER_BINDING, GL_ATOMIC_COUNTER_BUFFER_START, GL_ATOMIC_COUNTER_BUFFER_SIZE}},
+      {"feedback",
+       GL_MAX_TRANSFORM_FEEDBACK_BUFFERS,
+       {GL_TRANSFORM_FEEDBACK_BUFFER_BINDING, GL_TRANSFORM_FEEDBACK_BUFFER_START, GL_TRANSFORM_FEEDBACK_BUFFER_SIZE}},
+      {"image",
+       GL_MAX_IMAGE_UNITS,
+       {GL_IMAGE_BINDING_NAME, GL_IMAGE_BINDING_LEVEL, GL_IMAGE_BINDING_LAYER, GL_IMAGE_BINDING_ACCESS,
+        GL_IMAGE_BINDING_FORMAT}},
+      {"vertex buffer",
+       GL_MAX_VERTEX_ATTRIB_BINDINGS,
+       {GL_VERTEX_BINDING_BUFFER, GL_VERTEX_BINDING_OFFSET, GL_VERTEX_BINDING_STRIDE, GL_VERTEX_BINDING_DIVISOR}}};
+  return all;
+}
+
+GLuint limit_of(GLenum name) {
+  GLint limit = 0;
+  gl.GetIntegerv(name, &limit);
+  return static_cast<GLuint>(limit);
+}
+
+// Textures and samplers of all units, the active unit being left as it is.
+void add_units(Values& values) {
+  GLint active = 0;
+  gl.GetIntegerv(GL_ACTIVE_TEXTURE, &active);
+  for (GLuint unit = 0; unit < limit_of(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS); ++unit) {
+    gl.ActiveTexture(GL_TEXTURE0 + unit);
+    for (const GLenum name :
+         {GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_2D_ARRAY, GL_TEXTURE_BINDING_BUFFER, GL_SAMPLER_BINDING}) {
+      GLint value = -12345;
+      gl.GetIntegerv(name, &value);
+      values[fmt::format("texture unit {}", unit)].push_back(value);
+    }
+  }
+  gl.ActiveTexture(static_cast<GLenum>(active));
+}
 
 Values state(const Test& t) {
   Values values;
@@ -88,18 +139,14 @@ Values state(const Test& t) {
     gl.GetIntegerv(each.name, found.data());
     values[std::to_string(each.name)] = found;
   }
-  const std::pair<const char*, std::array<GLenum, 3>> indexed[] = {
-      {"uniform", {GL_UNIFORM_BUFFER_BINDING, GL_UNIFORM_BUFFER_START, GL_UNIFORM_BUFFER_SIZE}},
-      {"storage", {GL_SHADER_STORAGE_BUFFER_BINDING, GL_SHADER_STORAGE_BUFFER_START, GL_SHADER_STORAGE_BUFFER_SIZE}},
-      {"feedback",
-       {GL_TRANSFORM_FEEDBACK_BUFFER_BINDING, GL_TRANSFORM_FEEDBACK_BUFFER_START, GL_TRANSFORM_FEEDBACK_BUFFER_SIZE}}};
-  for (const auto& [what, queries] : indexed)
-    for (GLuint i = 0; i < indexed_bindings; ++i)
-      for (const GLenum query : queries) {
+  for (const IndexedState& each : indexed_states())
+    for (GLuint i = 0; i < limit_of(each.limit); ++i)
+      for (const GLenum query : each.values) {
         GLint value = -12345;
         gl.GetIntegeri_v(query, i, &value);
-        values[fmt::format("{} binding {}", what, i)].push_back(value);
+        values[fmt::format("{} binding {}", each.what, i)].push_back(value);
       }
+  add_units(values);
   return values;
 }
 
@@ -123,13 +170,34 @@ GLuint buffer_at(GLenum target) {
   return buffer;
 }
 
+// Every texture unit has a texture and a sampler, and every image unit an image.
+void occupy_units() {
+  std::array<GLuint, 2> textures{};
+  gl.GenTextures(2, textures.data());
+  for (const GLuint texture : textures) {
+    gl.BindTexture(GL_TEXTURE_2D, texture);
+    gl.TexStorage2D(GL_TEXTURE_2D, 2, GL_RGBA8, 4, 4);
+  }
+  for (GLuint unit = 0; unit < limit_of(GL_MAX_COMBINED_TEXTURE_IMAGE_UNITS); ++unit) {
+    GLuint sampler = 0;
+    gl.GenSamplers(1, &sampler);
+    gl.BindSampler(unit, sampler);
+    gl.ActiveTexture(GL_TEXTURE0 + unit);
+    gl.BindTexture(GL_TEXTURE_2D, textures[unit % 2]);
+  }
+  for (GLuint unit = 0; unit < limit_of(GL_MAX_IMAGE_UNITS); ++unit)
+    gl.BindImageTexture(unit, textures[unit % 2], static_cast<GLint>(unit % 2), GL_FALSE, 0, GL_READ_ONLY, GL_RGBA8);
+}
+
 // No value is an initial one, and no value has an effect on the draw.
 void occupy(const Test& t) {
   for (const GLenum target :
        {GL_DRAW_INDIRECT_BUFFER, GL_DISPATCH_INDIRECT_BUFFER, GL_COPY_READ_BUFFER, GL_COPY_WRITE_BUFFER})
     buffer_at(target);
-  for (const GLenum target : {GL_UNIFORM_BUFFER, GL_SHADER_STORAGE_BUFFER}) {
-    for (GLuint i = 0; i < indexed_bindings; ++i) {
+  for (const auto& [target, limit] : {std::pair<GLenum, GLenum>{GL_UNIFORM_BUFFER, GL_MAX_UNIFORM_BUFFER_BINDINGS},
+                                      {GL_SHADER_STORAGE_BUFFER, GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS},
+                                      {GL_ATOMIC_COUNTER_BUFFER, GL_MAX_ATOMIC_COUNTER_BUFFER_BINDINGS}}) {
+    for (GLuint i = 0; i < limit_of(limit); ++i) {
       const GLuint buffer = buffer_at(target);
       if (i % 2 == 0)
         gl.BindBufferRange(target, i, buffer, 256 * (i + 1), 512);
@@ -138,7 +206,7 @@ void occupy(const Test& t) {
     }
     buffer_at(target);
   }
-  buffer_at(GL_ATOMIC_COUNTER_BUFFER);
+  occupy_units();
   GLuint feedback = 0;
   gl.GenTransformFeedbacks(1, &feedback);
   gl.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, feedback);
