@@ -131,7 +131,7 @@ class CheckedDraw {
   std::optional<std::string> counted() {
     if (!counts_ || integer_of(GL_REFINEMENT_ARK) == 0) return {};
     const std::optional<int> depth = known_depth();
-    if (!depth || w_.is_fixed()) return {};
+    if (!depth || w_.is_fixed() || step_.path->counts_freely) return {};
     const GLuint coarse = generated(false);
     const GLuint refined = generated(true);
     if (refined != coarse << 2U * static_cast<unsigned>(*depth))

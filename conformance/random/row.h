@@ -34,6 +34,7 @@ struct RandomPath {
   void (*draw)(World& w);
   Apis apis = every_api;
   int version = 0;
+  bool counts_freely = false;  // the number of its triangles does not follow from the depth
 };
 
 using Rows = std::vector<Row>;

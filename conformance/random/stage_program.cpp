@@ -125,6 +125,8 @@ GLuint stage_program(Test& t, WorldKind kind, unsigned salt) {
     gl.DeleteShader(shader);
   }
   gl.ProgramParameteri(program, GL_PROGRAM_SEPARABLE, GL_TRUE);
+  const char* const captured[] = {"colour", "hue"};
+  gl.TransformFeedbackVaryings(program, 2, captured, GL_INTERLEAVED_ATTRIBS);
   gl.LinkProgram(program);
   GLint linked = GL_FALSE;
   gl.GetProgramiv(program, GL_LINK_STATUS, &linked);

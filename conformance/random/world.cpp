@@ -170,6 +170,7 @@ void World::make_elements() {
     std::copy(indexed.begin(), indexed.end(), words.begin() + static_cast<std::ptrdiff_t>(32 + 8 * i));
   }
   commands = buffer_of(GL_DRAW_INDIRECT_BUFFER, words.data(), sizeof(words));
+  captured = buffer_of(GL_COPY_WRITE_BUFFER, bytes.data(), bytes.size());
 }
 
 void World::make_programs() {
@@ -256,7 +257,7 @@ World::~World() {
   gl.DeleteBuffers(static_cast<GLsizei>(data.size()), data.data());
   gl.DeleteBuffers(static_cast<GLsizei>(doubles.size()), doubles.data());
   gl.DeleteBuffers(static_cast<GLsizei>(places.size()), places.data());
-  for (const GLuint buffer : {blocks, elements, commands}) gl.DeleteBuffers(1, &buffer);
+  for (const GLuint buffer : {blocks, elements, commands, captured}) gl.DeleteBuffers(1, &buffer);
   gl.DeleteQueries(static_cast<GLsizei>(queries.size()), queries.data());
 }
 

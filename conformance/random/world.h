@@ -58,6 +58,7 @@ struct World {
   GLuint blocks = 0;               // a buffer of uniform blocks
   GLuint elements = 0;             // as bytes, shorts and integers
   GLuint commands = 0;             // of indirect draws
+  GLuint captured = 0;             // what feedback captures
   std::vector<float> memory = {};  // what client arrays read
   std::vector<std::uint8_t> places_memory = {};
   std::vector<GLushort> elements_memory = {};

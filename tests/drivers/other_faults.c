@@ -155,6 +155,47 @@ static void show_light_of_w(void) {
   print_fault("light_of_w", pixel[0] > 100, 1, "says whether a light takes the place of a vertex with a w of 2");
 }
 
+// OpenGL 4.6 compatibility, 12.2.3: the current colour is the ambient material of back faces alone. The triangle shows
+// its back.
+static void show_color_of_back(void) {
+  GLubyte pixel[4];
+  glUseProgram(0);
+  glClear(GL_COLOR_BUFFER_BIT);
+  glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 1);
+  glColorMaterial(GL_BACK, GL_AMBIENT);
+  glEnable(GL_COLOR_MATERIAL);
+  glEnable(GL_LIGHTING);
+  glEnable(GL_LIGHT2);
+  glBegin(GL_TRIANGLES);
+  glColor3f(-1, 1, 1);
+  glVertex2f(-1, -1);
+  glVertex2f(-1, 3);
+  glVertex2f(3, -1);
+  glEnd();
+  glReadPixels(4, 4, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+  print_fault("color_of_back", pixel[1] > 30, 1, "says whether back faces have the green of their material");
+  glDisable(GL_COLOR_MATERIAL);
+  glDisable(GL_LIGHTING);
+  glDisable(GL_LIGHT2);
+  glLightModeli(GL_LIGHT_MODEL_TWO_SIDE, 0);
+}
+
+// OpenGL 4.6 compatibility, 21.4: a list sets a current value, also between glBegin and glEnd without a vertex.
+static void show_value_without_vertex(void) {
+  float value[4] = {0, 0, 0, 0};
+  const GLuint list = glGenLists(1);
+  glVertexAttrib1f(5, 3);
+  glNewList(list, GL_COMPILE);
+  glBegin(GL_TRIANGLES);
+  glVertexAttrib1f(5, 1);
+  glEnd();
+  glEndList();
+  glCallList(list);
+  glGetVertexAttribfv(5, GL_CURRENT_VERTEX_ATTRIB, value);
+  print_fault("value_without_vertex", value[0] == 1, 1, "says whether a list without vertices sets a current value");
+  glDeleteLists(list, 1);
+}
+
 // OpenGL 4.6 compatibility, 17.4: both are allowed. Where depths change their sign, refinement shows it.
 static void show_fog_of_fragments(void) {
   const float black[] = {0, 0, 0, 1};
@@ -220,5 +261,7 @@ void show_other_faults(int version) {
   }
   show_normal_scale();
   show_light_of_w();
+  show_color_of_back();
+  show_value_without_vertex();
   show_fog_of_fragments();
 }

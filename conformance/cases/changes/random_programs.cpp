@@ -76,8 +76,8 @@ Cases random_programs_cases() {
   add_sequences(cases, WorldKind::stage, "stage", every_api);
   add_sequences(cases, WorldKind::uniforms, "uniforms", every_api);
   add_sequences(cases, WorldKind::curved, "curved", every_api);
-  // The worlds with the fixed function are not cases: with other seeds than the first, they find faults of Mesa that are
-  // there without refinement, too (lights and vertices with a w, colours of two-sided materials, current values in lists).
+  add_sequences(cases, WorldKind::fixed, "fixed", compat_only);
+  add_sequences(cases, WorldKind::polygons, "polygons", compat_only);
   return cases;
 }
 

@@ -75,15 +75,17 @@ void material(World& w) {
   gl.Materialiv(face, name, integers.data());
 }
 
-// Not 0: what 0 to the power of 0 is differs from GL to GL.
+// Not 0: what 0 to the power of 0 is differs from GL to GL. Nor are they great: normals may be long, so that the power is
+// infinite, and 0 times that is not a number.
 void shininess(World& w) {
   const GLenum face = any_face(w);
-  if (w.values.coin()) return gl.Materialf(face, GL_SHININESS, w.values.pick({0.5F, 1.0F, 10.0F, 40.0F}));
-  gl.Materiali(face, GL_SHININESS, w.values.pick({1, 2, 12}));
+  if (w.values.coin()) return gl.Materialf(face, GL_SHININESS, w.values.pick({0.5F, 1.0F, 2.5F, 4.0F}));
+  gl.Materiali(face, GL_SHININESS, w.values.pick({1, 2, 3}));
 }
 
+// Not of back faces alone: in Mesa, a two-sided light then loses their colour (fault `color_of_back` of tests/drivers).
 void color_material(World& w) {
-  const GLenum face = any_face(w);
+  const auto face = w.values.pick<GLenum>({GL_FRONT, GL_FRONT_AND_BACK, GL_FRONT_AND_BACK});
   gl.ColorMaterial(face,
                    w.values.pick<GLenum>({GL_AMBIENT, GL_DIFFUSE, GL_SPECULAR, GL_EMISSION, GL_AMBIENT_AND_DIFFUSE}));
   toggle(w, GL_COLOR_MATERIAL, 4);

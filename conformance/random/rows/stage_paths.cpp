@@ -3,6 +3,7 @@
 //
 // Paths of draws with programs. All indices and vertices that they read exist.
 #include "conformance/random/immediate.h"
+#include "conformance/support/state.h"
 
 namespace glark::conformance {
 namespace {
@@ -160,6 +161,34 @@ void conditional(World& w) {
   gl.EndConditionalRender();
 }
 
+// Draws that feedback captures, and others while it is paused. An implementation may leave some of them unrefined.
+void captured(World& w) {
+  gl.BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, w.captured);
+  gl.BeginTransformFeedback(GL_TRIANGLES);
+  for (int i = w.values.between(0, 2); i > 0; --i) draw_arrays(w);
+  gl.PauseTransformFeedback();
+  for (int i = w.values.between(0, 2); i > 0; --i) w.values.coin() ? draw_arrays(w) : draw_elements(w);
+  if (w.values.coin()) {
+    gl.ResumeTransformFeedback();
+    draw_arrays(w);
+  }
+  gl.EndTransformFeedback();
+  gl.BindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
+}
+
+// Edges and corners are drawn. At the depth 0 they are those of the coarse triangles.
+void outlined(World& w) {
+  const GLint source = integer_of(GL_DEPTH_SOURCE_ARK);
+  const GLint level = integer_of(GL_UNIFORM_DEPTH_LEVEL_ARK);
+  gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, GL_UNIFORM_DEPTH_ARK);
+  gl.ARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, 0);
+  gl.PolygonMode(GL_FRONT_AND_BACK, w.values.pick<GLenum>({GL_LINE, GL_LINE, GL_POINT}));
+  w.values.coin() ? draw_arrays(w) : draw_elements(w);
+  gl.PolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+  gl.ARKParameteriARK(GL_DEPTH_SOURCE_ARK, source);
+  gl.ARKParameteriARK(GL_UNIFORM_DEPTH_LEVEL_ARK, level);
+}
+
 // Two commands for one picture: the second one reads what the first one has left.
 void draw_twice(World& w) {
   draw_arrays(w);
@@ -194,6 +223,8 @@ std::vector<RandomPath> stage_paths() {
       {"DrawARPElementsARK", shader, draw_arp_elements},
       {"BeginConditionalRender", shader, conditional, desktop_apis},
       {"two draws", shader, draw_twice},
+      {"BeginTransformFeedback and pause", shader, captured, desktop_apis, 0, true},
+      {"PolygonMode at the depth 0", shader, outlined, desktop_apis, 0, true},
       {"ArrayElement", shader, array_elements, compat_only},
   };
 }
