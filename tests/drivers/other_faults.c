@@ -173,7 +173,8 @@ static void show_color_of_back(void) {
   glVertex2f(3, -1);
   glEnd();
   glReadPixels(4, 4, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
-  print_fault("color_of_back", pixel[1] > 40 && pixel[1] < 62, 1, "says whether back faces have the green of their material");
+  print_fault("color_of_back", pixel[1] > 40 && pixel[1] < 62, 1,
+              "says whether back faces have the green of their material");
   glDisable(GL_COLOR_MATERIAL);
   glDisable(GL_LIGHTING);
   glDisable(GL_LIGHT2);
