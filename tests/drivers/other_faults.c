@@ -197,6 +197,26 @@ static void show_value_without_vertex(void) {
   glDeleteLists(list, 1);
 }
 
+// OpenGL 4.6 compatibility, 22.1: glPopAttrib restores current values, also one that was set last of all.
+static void show_popped_value(void) {
+  GLubyte pixel[4];
+  program_of(GL_VERTEX_SHADER,
+             "#version 330 compatibility\n"
+             "void main() { gl_FrontColor = vec4(gl_MultiTexCoord1.y);\n"
+             "  gl_Position = vec4(4 * (gl_VertexID & 1) - 1, 4 * (gl_VertexID >> 1) - 1, 0, 1); }\n",
+             NULL);
+  glMultiTexCoord2f(GL_TEXTURE1, 1, 1);
+  glPushAttrib(GL_CURRENT_BIT);
+  glLightf(GL_LIGHT1, GL_CONSTANT_ATTENUATION, 2);  // any other state
+  glMultiTexCoord2f(GL_TEXTURE1, 0, 0);
+  glPopAttrib();
+  glClear(GL_COLOR_BUFFER_BIT);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glReadPixels(4, 4, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+  print_fault("popped_value", pixel[1] > 200, 1,
+              "says whether a shader sees the texture coordinate that glPopAttrib restores");
+}
+
 // OpenGL 4.6 compatibility, 17.4: both are allowed. Where depths change their sign, refinement shows it.
 static void show_fog_of_fragments(void) {
   const float black[] = {0, 0, 0, 1};
@@ -264,5 +284,6 @@ void show_other_faults(int version) {
   show_light_of_w();
   show_color_of_back();
   show_value_without_vertex();
+  show_popped_value();
   show_fog_of_fragments();
 }

@@ -151,7 +151,7 @@ class Commands(CommandCase):
             coarse = self.report("bake", file, "-o", "b.glb", "--triangles", "500")["triangles"]
             self.assertTrue(300 < coarse <= 500, coarse)
         self.assertIn("--reach takes in points farther away", self.glark(*words, "-o", "a.glb", "--reach", "1e-3").stderr)
-        for more, status, text in ((("-o", "a.ply"), 1, "give a name that ends with .glb"),
+        for more, status, text in ((("-o", "a.obj"), 1, "give a name that ends with .glb"),
                                    (("-o", "c.glb", "--reach", "-1"), 2, "--reach"),
                                    (("-o", "c.glb", "--texels-per-point", "65"), 2, "--texels-per-point: \"65\""),
                                    (("-o", "c.glb", "--mesh", "points.xyz"), 1, "it has no triangles")):
