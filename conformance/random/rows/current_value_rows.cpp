@@ -24,8 +24,10 @@ template <auto Command>
 void integers(World& w) {
   call<Command>(w, at_integers);
 }
+// Mesa leaves the components that a command does not set as they were, and which draw sees which is not certain.
 template <auto Command>
 void doubles(World& w) {
+  gl.VertexAttribL4d(at_doubles, 0, 0, 0, 1);
   call<Command>(w, at_doubles);
 }
 template <auto Command, Scale scale = Scale::plain>
