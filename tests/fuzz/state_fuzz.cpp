@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "glark/clients/common/work/state_file.h"
+#include "glark/clients/common/resume/state_file.h"
 
 namespace {
 

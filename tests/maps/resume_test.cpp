@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "glark/clients/common/work/checkpoints.h"
+#include "glark/clients/common/resume/checkpoints.h"
 #include "tests/common/temporary_folder.h"
 #include "tests/maps/bumpy_sphere.h"
 

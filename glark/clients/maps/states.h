@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "glark/clients/common/work/checkpoints.h"
+#include "glark/clients/common/resume/checkpoints.h"
 #include "glark/clients/maps/project/census.h"
 #include "glark/clients/maps/project/map_store.h"
 

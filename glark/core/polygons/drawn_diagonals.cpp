@@ -105,7 +105,8 @@ std::optional<Diagonal> DrawnDiagonals::find(GLenum mode, QuadSource source) {
 bool DrawnDiagonals::can_probe() const {
   const core::Bindings& b = env_.bindings();
   const bool counted = b.queries.active != 0 || b.queries.generated != 0;
-  return !counted && !b.transform_feedback.active && !b.rasterizer_discard && !env_.state.lists().compiling();
+  return !broken_ && !counted && !b.transform_feedback.active && !b.rasterizer_discard &&
+         !env_.state.lists().compiling();
 }
 
 std::optional<Diagonal> DrawnDiagonals::probe(GLenum mode, QuadSource source) {
@@ -113,6 +114,7 @@ std::optional<Diagonal> DrawnDiagonals::probe(GLenum mode, QuadSource source) {
   if (program_ == 0) {
     const core::ShaderText texts[] = {{GL_VERTEX_SHADER, vertex_source}, {GL_FRAGMENT_SHADER, fragment_source}};
     program_ = core::build_program(env_.gl, "the program that looks for the diagonals of quads", texts);
+    broken_ = program_ == 0;
   }
   float middle = nothing_drawn;
   core::GpuBuffer result;

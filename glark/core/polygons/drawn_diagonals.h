@@ -35,6 +35,7 @@ class DrawnDiagonals {
   const core::ProgramSwitch& programs_;
   std::array<std::optional<Diagonal>, 16> known_;  // by mode, convention and source
   GLuint program_ = 0;                             // 0 again once a diagonal was found
+  bool broken_ = false;                            // the program does not compile: nothing is ever found
 };
 
 }  // namespace glark::polygons

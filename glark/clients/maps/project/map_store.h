@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "glark/clients/common/work/work_folder.h"
+#include "glark/clients/common/resume/work_folder.h"
 #include "glark/clients/common/workers.h"
 #include "glark/clients/maps/project/chart_map.h"
 

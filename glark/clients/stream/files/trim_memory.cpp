@@ -7,7 +7,7 @@
 
 #include <cstdio>
 
-#include "glark/clients/common/work/state_file.h"
+#include "glark/clients/common/resume/state_file.h"
 
 namespace glark::stream {
 namespace {

@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <string_view>
 
-#include "glark/clients/common/work/work_folder.h"
+#include "glark/clients/common/resume/work_folder.h"
 
 namespace glark::stream {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
-#include "glark/clients/common/work/checkpoints.h"
+#include "glark/clients/common/resume/checkpoints.h"
 #include "glark/clients/stream/files/work_folder.h"
 #include "glark/clients/stream/transfer/edited_scan.h"
 #include "glark/clients/stream/write/writers.h"

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "glark/clients/common/work/work_folder.h"
+#include "glark/clients/common/resume/work_folder.h"
 #include "glark/clients/geometry/geometry.h"
 
 namespace glark::tool {

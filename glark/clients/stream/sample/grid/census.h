@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "glark/clients/common/work/checkpoints.h"
+#include "glark/clients/common/resume/checkpoints.h"
 #include "glark/clients/stream/sample/grid/block_source.h"
 #include "glark/clients/stream/sample/grid/cube_table.h"
 #include "glark/clients/stream/sample/grid/lattice.h"

@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "glark/clients/common/work/work_folder.h"
+#include "glark/clients/common/resume/work_folder.h"
 #include "glark/clients/stream/files/temporary_file.h"
 #include "glark/clients/stream/sample/tree/cluster_tree.h"
 

@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-#include "glark/clients/common/work/state_file.h"
+#include "glark/clients/common/resume/state_file.h"
 
 namespace glark::stream {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/clients/common/work/state_file.h"
+#include "glark/clients/common/resume/state_file.h"
 
 #include <algorithm>
 #include <array>

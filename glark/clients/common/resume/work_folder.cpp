@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
-#include "glark/clients/common/work/work_folder.h"
+#include "glark/clients/common/resume/work_folder.h"
 
 #include <unistd.h>
 

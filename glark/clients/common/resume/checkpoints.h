@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "glark/clients/common/work/work_folder.h"
+#include "glark/clients/common/resume/work_folder.h"
 
 namespace glark::common {
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "glark/clients/common/work/state_file.h"
+#include "glark/clients/common/resume/state_file.h"
 
 namespace glark::common {
 
