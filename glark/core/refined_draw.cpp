@@ -53,6 +53,7 @@ void RefinedDraw::run(const DrawCall& call) {
   if (draw_repeated(call, quiet)) {
     return;
   }
+  const ConditionLifted lifted(env_.state.conditional_rendering(), env_.gl);
   parts_.feedback.take_over();
   const Decision decision = parts_.planner.plan(call);
   if (decision.cause == Cause::not_triangles && parts_.feedback.refuses(call.mode)) {
@@ -112,6 +113,7 @@ void RefinedDraw::leave(const DrawCall& call, Cause cause) {
 
 void RefinedDraw::draw_as_asked(const DrawCall& call, const DrawPlan& plan, Cause cause, const Quiet& quiet) {
   pass_planned(plan, cause, call.triangles);
+  const ConditionApplied condition(env_.state.conditional_rendering(), env_.gl);
   Watched watched;
   watch(watched, plan, cause, call.triangles);
   quiet.interrupt();
@@ -171,6 +173,7 @@ void RefinedDraw::draw_left_half(const HalfWindow& half, const DrawCall& call, c
   if (!half.on()) {
     return;
   }
+  const ConditionApplied condition(env_.state.conditional_rendering(), env_.gl);
   half.select_left();
   quiet.interrupt();
   call.issue();
@@ -251,6 +254,7 @@ bool RefinedDraw::draw_kept_vertices(const DrawCall& call, const DrawPlan& plan,
 }
 
 void RefinedDraw::draw_vertices(const DrawCache::Entry& entry) {
+  const ConditionApplied condition(env_.state.conditional_rendering(), env_.gl);
   submission_.draw_vertices(entry.vertices);
   Statistics& counts = statistics();
   ++counts.captures_reused;
@@ -289,6 +293,7 @@ void RefinedDraw::refine(const DrawPlan& plan, const capture::CoarseTriangles& c
     refined.numbers = parts_.passes.sorter().numbers();
   }
   refined.storage_changed = welded || (!sorted && (plan.depth.adaptive || plan.polygons));
+  const ConditionApplied condition(env_.state.conditional_rendering(), env_.gl);
   submission_.draw(plan, refined);
 }
 
@@ -323,9 +328,11 @@ depth::BinnedInstances RefinedDraw::sort(const DrawPlan& plan, const Records& re
 std::uint64_t RefinedDraw::begin_immediate(GLenum mode, MaterialSet materials) {
   ++statistics().draws_seen;
   const Quiet quiet = env_.state.quiet();
+  env_.state.conditional_rendering().lift(env_.gl);  // until end_immediate()
   std::optional<Cause> cause;
   const std::uint64_t room = immediate_.begin(mode, materials, cause);
   if (cause) {
+    env_.state.conditional_rendering().apply(env_.gl);
     pass_planned({}, *cause, 0);
     watch(open_, {}, cause, 0);
   }
@@ -349,6 +356,7 @@ void RefinedDraw::refine_in_parts(const DrawPlan& plan, const ImmediateCapture::
 
 void RefinedDraw::end_immediate(std::uint64_t triangles) {
   const Quiet quiet(env_.gl, env_.bindings().debug_output);  // while our feedback is bound, bindings are not read again
+  const ConditionLifted lifted(env_.state.conditional_rendering(), env_.gl);
   ImmediateCapture::Captured captured = immediate_.end(triangles);
   ++statistics().captures_made;
   if (captured.triangles.count == 0) {

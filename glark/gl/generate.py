@@ -278,7 +278,7 @@ def wrapper_body(command, kind):
         first = c.parameters[0][1] if c.parameters else ""
         only = f" && {first} == 0" if first == "index" and c.name.startswith("glVertexAttrib") else ""
         unseen = ["if (here.context != nullptr) here.context->changes().forget_values();"] if kind == "count_unseen" else []
-        return unseen + [f"if (here.context != nullptr{only}) glark::core::track::count_vertex(*here.context, {components(c)});", f"{real};"]
+        return unseen + [f"if (here.context != nullptr{only}) glark::core::track::count_vertex(*here.context, {components(c)}{vertex_source(c)});", f"{real};"]
     if kind == "attribute":
         return attribute_body(c, real)
     call, choices = TOUCH_CALLS[kind]
@@ -292,6 +292,13 @@ def wrapper_body(command, kind):
     if c.is_void():
         return [f"{real};", touch]
     return [f"const auto result = {real};", touch, "return result;"]
+
+
+def vertex_source(command):
+    """What decides whether the call gives a vertex."""
+    sources = {"glArrayElement": "elements", "glEvalCoord1": "map1", "glEvalPoint1": "map1", "glEvalCoord2": "map2", "glEvalPoint2": "map2"}
+    source = next((name for start, name in sources.items() if command.name.startswith(start)), None)
+    return f", glark::core::VertexSource::{source}" if source else ""
 
 
 def components(command):
@@ -338,12 +345,13 @@ def attribute_body(command, real):
 
 
 def uniform_body(command, real):
-    """Our locations (from virtual_location_base on) never reach the application's program, only its mirrors."""
+    """Our locations (virtual_location_base and following) reach only the mirrors of the application's program."""
     names = [name for _, name in command.parameters]
     of_program = command.name.startswith("glProgramUniform")
     twin = command.canonical.member if of_program else f"Program{command.canonical.member}"
     values = ", ".join(names[2:] if of_program else names[1:])
-    mirrors = f"state.programs().mirrors(state.bindings(){', ' + names[0] if of_program else ''})"
+    program = f", {names[0]}" if of_program else ""
+    mirrors = f"state.programs().mirrors(state.bindings(){program})"
     handles = []
     if "Handleui64" in command.name:  # GL cannot be asked for them
         array = names[-2:] if names[-2] == "count" else ["1", f"&{names[-1]}"]
@@ -356,11 +364,13 @@ def uniform_body(command, real):
         f"if (here.context == nullptr || (!here.context->state().programs().mirroring() && !here.context->state().lists().compiling() && location < glark::core::virtual_location_base)) "
         f"{{ {real}; return; }}",
         "[=, &here]() __attribute__((noinline, cold)) {",
-        f"  if (location < glark::core::virtual_location_base) {real};",
+        "  const bool is_virtual = location >= glark::core::virtual_location_base;",
+        f"  if (!is_virtual) {real};",
         "  glark::core::GlState& state = here.context->state();",
         f"  if (state.lists().compiling()) {{ glark::core::track::compile_uniform(*here.context, \"{command.name}\", location); return; }}",
-        "  if (!state.programs().mirroring() || state.immediate().open()) return;",
+        f"  if (!state.programs().mirroring() || state.immediate().open()) {{ if (is_virtual) {real}; return; }}",
         "  state.refresh();  // a list may have used another program",
+        f"  if (is_virtual && !state.programs().has_virtual_uniform(state.bindings(){program}, location)) {{ {real}; return; }}  // GL raises the error",
         f"  for (const glark::core::UniformMirror& mirror : {mirrors})",
         "    if (const GLint derived = mirror.changed(location); derived >= 0)",
         f"      here.gl->{twin}(mirror.program, derived, {values});",

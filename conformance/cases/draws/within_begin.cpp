@@ -170,6 +170,34 @@ void check_first_within(Test& t, const WithinMode& mode) {
     }
 }
 
+// Each vertex has its own material, in a new context: the first picture is right.
+void check_each_within(Test& t, const WithinMode& mode) {
+  for (const Within& command : {commands_within[0], commands_within[1], commands_within[2], commands_within[3]})
+    for (const bool is_smooth : {true, false}) {
+      const std::unique_ptr<Context> context = t.create_context();
+      light_within();
+      gl.ShadeModel(is_smooth ? GL_SMOOTH : GL_FLAT);
+      const auto draw = [&] {
+        reset_current();
+        gl.Begin(mode.mode);
+        for (int i = 0; i < mode.vertices; ++i) {
+          gl.Materialfv(GL_FRONT_AND_BACK, GL_AMBIENT_AND_DIFFUSE, i % 2 == 0 ? material_red : material_grey);
+          command.call();
+          vertex_within(mode, i);
+        }
+        gl.End();
+      };
+      refine_uniformly(2, GL_LINEAR_OUTPUTS_ARK);
+      gl.Disable(GL_ARK);
+      const Picture plain = picture_of(draw);
+      gl.Enable(GL_ARK);
+      for (int again = 0; again < 3; ++again)
+        t.expect_same_picture(picture_of(draw), plain, command.leaf + std::string(is_smooth ? ", smooth" : ", flat"), 4,
+                              80);
+      t.expect_no_error("the draws");
+    }
+}
+
 // A list whose first vertices inherit a material that it changes may stay unrefined.
 void check_lists_within(Test& t, const WithinMode& mode) {
   light_within();
@@ -191,6 +219,14 @@ Cases within_begin_cases() {
                      .wrong = wrong,
                      .apis = compat_only,
                      .check = [&mode](Test& t) { check_first_within(t, mode); }});
+  for (const WithinMode& mode : modes_within)
+    cases.push_back({.name = std::string("ark.draw.within.") + mode.leaf + ".each",
+                     .clauses = {"10.R.2-1", "11.R.10-1"},
+                     .plan = "In new contexts, draw vertices that each set their own material, and compare the first "
+                             "pictures with the unrefined one.",
+                     .wrong = "The first time, all vertices have the last material.",
+                     .apis = compat_only,
+                     .check = [&mode](Test& t) { check_each_within(t, mode); }});
   for (const WithinMode& mode : modes_within)
     for (const bool is_listed : {false, true})
       cases.push_back({.name = std::string("ark.draw.within.") + mode.leaf + (is_listed ? ".listed" : ".direct"),

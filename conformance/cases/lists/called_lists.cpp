@@ -115,6 +115,48 @@ void check_tags(Test& t, bool is_array) {
   }
 }
 
+// A called list sets another base: whichever base holds for the names after it, refinement changes nothing.
+void check_changed_base(Test& t, bool is_nested) {
+  gl.UseProgram(colour_program(t));
+  refine_uniformly(2);
+  const auto compile = [](GLuint name, int triangles, bool sets_base) {
+    gl.NewList(name, GL_COMPILE);
+    for (int i = 0; i < triangles; ++i) draw_immediate_triangle();
+    if (sets_base) gl.ListBase(20);
+    gl.EndList();
+  };
+  for (const GLuint base : {10U, 20U}) {
+    compile(base, 0, base == 10);
+    compile(base + 1, static_cast<int>(base) / 10, false);
+    compile(base + 2, static_cast<int>(base) / 5, base == 10);
+  }
+  const GLubyte names[] = {1, 0, 1, 2, 1};
+  const auto call_names = [&names] { gl.CallLists(5, GL_UNSIGNED_BYTE, names); };
+  gl.NewList(1, GL_COMPILE);
+  call_names();
+  call_names();
+  gl.EndList();
+  const auto draw = [&] {
+    gl.ListBase(10);
+    is_nested ? gl.CallList(1) : call_names();
+  };
+  gl.Disable(GL_ARK);
+  const GLuint plain = count_generated(draw);
+  const GLint base_after = integer_of(GL_LIST_BASE);
+  gl.Enable(GL_ARK);
+  for (int again = 0; again < 3; ++again) {
+    t.expect_equal(count_generated(draw), 16 * plain, "triangles");
+    t.expect_equal(integer_of(GL_LIST_BASE), base_after, "the base afterwards");
+  }
+  gl.ListBase(10);
+  gl.NewList(2, GL_COMPILE_AND_EXECUTE);
+  const GLuint executed = count_generated(call_names);
+  gl.EndList();
+  gl.ListBase(10);
+  t.expect_equal(executed, count_generated(call_names), "triangles of a list that is compiled and executed");
+  t.expect_no_error("the calls");
+}
+
 constexpr Area called_case{.prefix = "ark.list.called.", .apis = compat_only};
 
 }  // namespace
@@ -123,6 +165,12 @@ Cases called_lists_cases() {
   const char* const wrong = "The uniform of another program, or an earlier value.";
   return {called_case("names", {"10.R.2-1", "chapter-21-4"}, "CallLists with names of all types, also below zero.",
                       "Another list, or none.", check_negative_names),
+          called_case("changed_base", {"10.R.2-2", "chapter-21-4"}, "CallLists of a list that sets ListBase.",
+                      "The names that follow are counted from another base than without refinement.",
+                      [](Test& t) { check_changed_base(t, false); }),
+          called_case("changed_base_within", {"10.R.2-2", "chapter-21-4"}, "The same, called by a list.",
+                      "The names that follow are counted from another base than without refinement.",
+                      [](Test& t) { check_changed_base(t, true); }),
           called_case("program_then_uniform", {"11.R.10-1", "chapter-21-4"},
                       "A list uses another program. Then its uniform is set.", wrong,
                       [](Test& t) { check_programs(t, Kind::uniform_after); }),

@@ -24,6 +24,18 @@ std::int64_t bytes_of(const Layout& layout, std::uint64_t triangles) {
 
 }  // namespace
 
+std::uint64_t query_result(const gl::Dispatch& gl, GLuint query, const core::Bindings& bindings) {
+  GLuint result = 0;
+  if (bindings.query_buffer != 0) {
+    gl.BindBuffer(GL_QUERY_BUFFER, 0);
+  }
+  gl.GetQueryObjectuiv(query, GL_QUERY_RESULT, &result);
+  if (bindings.query_buffer != 0) {
+    gl.BindBuffer(GL_QUERY_BUFFER, bindings.query_buffer);
+  }
+  return result;
+}
+
 GLuint CaptureStage::program_for(const Layout& layout, GLuint tag_attribute) {
   CaptureSources sources = capture_sources(layout, language_, tag_attribute);
   const auto found = programs_.find(sources.vertex);
@@ -143,15 +155,7 @@ CoarseTriangles CaptureStage::end(const Layout& layout, std::uint64_t triangles,
 }
 
 std::uint64_t CaptureStage::counted(const core::Bindings& bindings) const {
-  GLuint written = 0;
-  if (bindings.query_buffer != 0) {
-    gl_.BindBuffer(GL_QUERY_BUFFER, 0);
-  }
-  gl_.GetQueryObjectuiv(queries_[current_.query], GL_QUERY_RESULT, &written);
-  if (bindings.query_buffer != 0) {
-    gl_.BindBuffer(GL_QUERY_BUFFER, bindings.query_buffer);
-  }
-  return written;
+  return query_result(gl_, queries_[current_.query], bindings);
 }
 
 void CaptureStage::release() {

@@ -24,6 +24,9 @@ enum class Count {
   by_query,  // GL alone knows it; the number stays on the GPU where it can
 };
 
+// Reads the result of a query into client memory; waits for the GPU.
+std::uint64_t query_result(const gl::Dispatch& gl, GLuint query, const core::Bindings& bindings);
+
 class CaptureStage {
  public:
   CaptureStage(const gl::Dispatch& gl, Language language, bool query_buffer)

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/capture/draw_capture.h"
 
+#include <utility>
+
 #include "glark/core/report/statistics.h"
 
 namespace glark::capture {
@@ -40,6 +42,27 @@ void add_surplus(core::GlState& state, std::int64_t triangles) {
       state.query_surplus().add(query, triangles);
     }
   }
+}
+
+// Counting our own triangles takes the target of one of the two queries that the application may have open.
+void DrawCapture::stop_query(Count count) {
+  core::PrimitiveQueries& queries = env_.state.bindings().queries;
+  if (count != Count::known && queries.written != 0 && queries.generated != 0) {
+    env_.gl.EndQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN);
+    stopped_query_ = std::exchange(queries.written, 0);
+  }
+}
+
+// The query counts from 0 again: its surplus is what it had counted before.
+void DrawCapture::resume_query() {
+  if (stopped_query_ == 0) {
+    return;
+  }
+  core::PrimitiveQueries& queries = env_.state.bindings().queries;
+  const std::uint64_t counted = query_result(env_.gl, stopped_query_, env_.bindings());
+  env_.state.query_surplus().add(stopped_query_, -static_cast<std::int64_t>(counted));
+  env_.gl.BeginQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, stopped_query_);
+  queries.written = std::exchange(stopped_query_, 0);
 }
 
 DrawCapture::DrawCapture(const core::Environment& environment)
@@ -85,6 +108,7 @@ void DrawCapture::begin(const CapturePlan& plan, const Target& target) {
   }
   clip_distances_ = env_.bindings().clip_distances;
   switch_clip_distances(clip_distances_, env_.gl.Disable);
+  stop_query(target.count);
   stage_.begin(plan.program, env_.bindings(), target.count, target.own);
 }
 
@@ -107,6 +131,7 @@ CoarseTriangles DrawCapture::end(const CapturePlan& plan, std::uint64_t triangle
   if (b.queries.generated != 0 || b.queries.written != 0) {
     add_surplus(env_.state, static_cast<std::int64_t>(exact ? triangles : stage_.counted(b)));
   }
+  resume_query();
   return captured;
 }
 

@@ -50,9 +50,13 @@ class DrawCapture {
   void release() { stage_.release(); }
 
  private:
+  void stop_query(Count count);
+  void resume_query();
+
   const core::Environment& env_;
   CaptureStage stage_;
-  bool uncounted_ = false;  // a query holds the number of triangles of the last draw
+  GLuint stopped_query_ = 0;  // the application's, while its target counts our capture
+  bool uncounted_ = false;    // a query holds the number of triangles of the last draw
   unsigned uncounted_level_ = 0;
   unsigned clip_distances_ = 0;  // of the application, which are off until end()
 };

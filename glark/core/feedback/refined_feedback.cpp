@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/feedback/refined_feedback.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace glark::core {
@@ -70,6 +71,32 @@ void RefinedFeedback::hand_back() {
 bool RefinedFeedback::refuses(GLenum mode) const {
   const bool points_or_lines = mode == GL_POINTS || mode == GL_LINES || mode == GL_LINE_LOOP || mode == GL_LINE_STRIP;
   return points_or_lines && in_use_.captures(env_.bindings()) && in_use_.mode == GL_TRIANGLES;
+}
+
+bool RefinedFeedback::refuses_link(GLuint program) const {
+  const auto captures_from = [program](const FeedbackInUse& in_use) {
+    return in_use.ours() && in_use.owner != 0 && in_use.owner == program;
+  };
+  return captures_from(in_use_) || std::any_of(waiting_.begin(), waiting_.end(), [&](const auto& waiting) {
+           return captures_from(waiting.second.in_use);
+         });
+}
+
+void RefinedFeedback::bound(GLuint previous, GLuint object) {
+  if (object == previous) {
+    return;
+  }
+  if (watches_draws()) {
+    waiting_[previous] = {std::exchange(in_use_, {}), std::exchange(awaited_, GL_NONE)};
+  }
+  if (const auto found = waiting_.find(object); found != waiting_.end()) {
+    in_use_ = std::move(found->second.in_use);
+    awaited_ = found->second.awaited;
+    waiting_.erase(found);
+  }
+  TransformFeedbackBindings& bound = env_.state.bindings().transform_feedback;
+  bound.ours = ours();
+  bound.paused = bound.paused || ours();
 }
 
 bool RefinedFeedback::can_return() const {

@@ -4,6 +4,8 @@
 // The application's transform feedback, if the application enabled GL_ARK itself: it captures refined triangles.
 #pragma once
 
+#include <unordered_map>
+
 #include "glark/core/feedback/feedback_room.h"
 #include "glark/core/plan/feedback_in_use.h"
 #include "glark/core/plan/planner.h"
@@ -23,6 +25,8 @@ class RefinedFeedback {
   // The application began feedback while GL_ARK was disabled. If its first draw is glDrawARP, take_over() begins it
   // again.
   void await(GLenum mode) { awaited_ = mode; }
+  // Another feedback object is bound. The feedback of `previous`, if it is active, is paused.
+  void bound(GLuint previous, GLuint object);
   // Before a refined draw: takes over awaited feedback.
   void take_over();
   // Before an unrefined draw: gives the feedback to GL, unless it has captured refined triangles.
@@ -39,9 +43,15 @@ class RefinedFeedback {
   // whether there is one: a draw in this mode; a call that needs a paused feedback; linking this program.
   bool refuses(GLenum mode) const;
   bool captures() const { return in_use_.captures(env_.bindings()) && env_.bindings().transform_feedback.active; }
-  bool refuses_link(GLuint program) const { return ours() && in_use_.owner != 0 && in_use_.owner == program; }
+  bool refuses_link(GLuint program) const;
 
  private:
+  // The feedback of an object that is not bound.
+  struct Waiting {
+    FeedbackInUse in_use;
+    GLenum awaited = GL_NONE;
+  };
+
   // Returns whether the program in use can be bound again after another one.
   bool can_return() const;
   void end_ours() const;
@@ -53,6 +63,7 @@ class RefinedFeedback {
   const ProgramSwitch& programs_;
   FeedbackRoom room_;
   GLenum awaited_ = GL_NONE;
+  std::unordered_map<GLuint, Waiting> waiting_;  // by transform feedback object
 };
 
 }  // namespace glark::core

@@ -66,6 +66,9 @@ void FixedFunctionPrograms::discard_derived() {
 
 void FixedFunctionPrograms::forget_fragment(GLuint name) {
   last_ = nullptr;
+  if (name == fragment_) {
+    env_.state.fixed_function().touch();  // it may read other texture coordinates now
+  }
   for (auto entry = programs_.begin(); entry != programs_.end();) {
     if (entry->first.second == name && name != 0) {
       derived_.remove_generated(name, *entry->second);

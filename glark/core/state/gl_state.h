@@ -10,6 +10,7 @@
 #include "glark/core/state/arrays/array_state.h"
 #include "glark/core/state/bindings.h"
 #include "glark/core/state/capabilities.h"
+#include "glark/core/state/conditional_rendering.h"
 #include "glark/core/state/fixed_function/fixed_function_changes.h"
 #include "glark/core/state/framebuffers.h"
 #include "glark/core/state/immediate_mode.h"
@@ -66,6 +67,7 @@ class GlState {
   ImmediateMode& immediate() { return immediate_; }
   const ImmediateMode& immediate() const { return immediate_; }
   QuerySurplus& query_surplus() { return query_surplus_; }
+  ConditionalRendering& conditional_rendering() { return conditional_rendering_; }
   Stamps& stamps() { return stamps_; }
 
  private:
@@ -83,6 +85,7 @@ class GlState {
   Programs programs_;
   ListCompilation lists_;
   QuerySurplus query_surplus_;
+  ConditionalRendering conditional_rendering_;
 };
 
 }  // namespace glark::core

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "glark/core/state/fixed_function/vertex_materials.h"
+#include "glark/core/state/vertex_sources.h"
 #include "glark/gl/types.h"
 
 namespace glark::core {
@@ -47,6 +48,7 @@ class ImmediateMode {
     components_ = 0;
     limit_ = UINT64_MAX;
     restarted_ = false;
+    uncertain_ = false;
   }
   bool full() const { return vertices_ == limit_; }
   void count(unsigned components) {
@@ -79,6 +81,13 @@ class ImmediateMode {
   void note_elements_restart() { elements_restart_ = true; }
   bool elements_restart() const { return elements_restart_; }
 
+  // Between glBegin and glEnd nothing can be asked: this is as it was before.
+  void set_sources(const VertexSources& sources) { sources_ = sources; }
+  const VertexSources& sources() const { return sources_; }
+  // In a list: whether some counted calls give a vertex is known only when the list is called.
+  void note_uncertain() { uncertain_ = true; }
+  bool uncertain() const { return uncertain_; }
+
   VertexMaterials& materials() { return materials_; }
   const VertexMaterials& materials() const { return materials_; }
 
@@ -93,6 +102,8 @@ class ImmediateMode {
   bool tags_set_ = false;
   bool restarted_ = false;
   bool elements_restart_ = false;
+  bool uncertain_ = false;
+  VertexSources sources_;
   GLenum mode_ = 0;
   unsigned components_ = 0;
   std::uint64_t vertices_ = 0;

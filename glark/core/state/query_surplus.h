@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Triangles that our captures added to the results of the application's queries.
+// What the results of the application's queries have too much: triangles of our captures. It is negative for a query that
+// had to begin again.
 #pragma once
 
 #include <cstdint>
@@ -13,17 +14,16 @@ namespace glark::core {
 
 class QuerySurplus {
  public:
-  // Modulo 2^64: a negative number takes away.
-  void add(GLuint query, std::int64_t triangles) { surplus_[query] += static_cast<std::uint64_t>(triangles); }
+  void add(GLuint query, std::int64_t triangles) { surplus_[query] += triangles; }
   void forget(GLuint query) { surplus_.erase(query); }
   // Null: nothing was added to that query.
-  const std::uint64_t* find(GLuint query) const {
+  const std::int64_t* find(GLuint query) const {
     const auto found = surplus_.find(query);
     return found != surplus_.end() ? &found->second : nullptr;
   }
 
  private:
-  std::unordered_map<GLuint, std::uint64_t> surplus_;
+  std::unordered_map<GLuint, std::int64_t> surplus_;
 };
 
 }  // namespace glark::core

@@ -40,7 +40,8 @@ struct ShareGroup {
   std::atomic<std::uint64_t> contexts_made{0};  // so far; gives each context its range of stamps
   std::vector<GLuint> orphaned_buffers;         // left by contexts that could not delete them; guarded by `mutex`
   std::atomic<bool> any_derived{false};
-  std::atomic<bool> lists_push{false};  // a display list has glPushAttrib or glPopAttrib
+  std::atomic<bool> lists_push{false};     // a display list has glPushAttrib or glPopAttrib
+  std::atomic<bool> maps_vertices{false};  // an evaluator's map of positions was enabled, perhaps in a list
   // Changes whenever a program is linked, deleted or derived. Data that refers to programs by name is valid only until
   // then.
   std::atomic<std::uint64_t> program_epoch{1};

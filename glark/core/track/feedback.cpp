@@ -24,8 +24,19 @@ void BindTransformFeedback(Context& c, GLenum target, GLuint id) {
   if (track::refused_while_capturing(c)) {
     return;
   }
+  if (c.stages() == nullptr) {
+    c.gl().BindTransformFeedback(target, id);
+    c.state().forget_bindings();  // another object may be active or paused
+    return;
+  }
+  c.state().refresh();
+  const GLuint previous = c.state().bindings().transform_feedback.object;
   c.gl().BindTransformFeedback(target, id);
-  c.state().forget_bindings();  // another object may be active or paused
+  c.state().forget_bindings();
+  c.state().refresh();
+  c.stages()->feedback().bound(previous, c.state().bindings().transform_feedback.object);
+  c.state().forget_bindings();
+  c.update_refining();
 }
 
 void DeleteTransformFeedbacks(Context& c, GLsizei n, const GLuint* ids) {

@@ -123,6 +123,10 @@ void set_capability(Context& c, GLenum capability, bool enabled) {
 namespace hook {
 
 void Enable(Context& c, GLenum capability) {
+  if (capability == GL_MAP1_VERTEX_3 || capability == GL_MAP1_VERTEX_4 || capability == GL_MAP2_VERTEX_3 ||
+      capability == GL_MAP2_VERTEX_4) {
+    c.share().maps_vertices = true;
+  }
   if (c.capabilities().refinable && (capability == GL_ARK || capability == GL_DEPTH_TAG_ARRAY_ARK)) {
     capability == GL_ARK ? set_ark_enabled(c, true) : set_tag_array(c, true);
     return;

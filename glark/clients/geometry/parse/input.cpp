@@ -14,6 +14,7 @@
 #include <cerrno>
 #include <cstring>
 
+#include "glark/clients/common/descriptor.h"
 #include "glark/clients/geometry/geometry.h"
 
 namespace glark::geometry {
@@ -24,24 +25,10 @@ constexpr std::size_t longest_word = 256;
 
 bool is_space(char letter) { return letter == ' ' || (letter >= '\t' && letter <= '\r'); }
 
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() {
-    if (number_ >= 0) close(number_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
-
 class PlainFile {
  public:
   PlainFile(std::string name, int descriptor)
-      : name_(std::move(name)), file_(std::make_shared<Descriptor>(descriptor)) {}
+      : name_(std::move(name)), file_(std::make_shared<common::Descriptor>(descriptor)) {}
 
   std::size_t operator()(std::span<char> wanted) const {
     std::size_t have = 0;
@@ -58,7 +45,7 @@ class PlainFile {
 
  private:
   std::string name_;
-  std::shared_ptr<Descriptor> file_;
+  std::shared_ptr<common::Descriptor> file_;
 };
 
 class Decompressed {

@@ -9,25 +9,14 @@
 #include <cerrno>
 #include <string_view>
 
+#include "glark/clients/common/descriptor.h"
 #include "glark/clients/common/fnv.h"
 #include "glark/clients/common/nameless_file.h"
 
 namespace glark::maps {
 namespace {
 
-class Descriptor {
- public:
-  Descriptor(const std::string& file, int flags) : number_(open(file.c_str(), flags | O_CLOEXEC, 0600)) {}
-  ~Descriptor() {
-    if (number_ >= 0) close(number_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
+int open_file(const std::string& file, int flags) { return open(file.c_str(), flags | O_CLOEXEC, 0600); }
 
 std::span<char> bytes_of(std::vector<float>& numbers) {
   return {reinterpret_cast<char*>(numbers.data()), numbers.size() * sizeof(float)};
@@ -49,7 +38,7 @@ MapStore::MapStore(const common::WorkFolder& folder, std::span<const ChartMap> m
 }
 
 void MapStore::write(std::span<ChartMap> maps, const common::Workers& workers) {
-  const Descriptor file(file_, O_CREAT | O_WRONLY);
+  const common::Descriptor file(open_file(file_, O_CREAT | O_WRONLY));
   if (file.number() < 0) folder_.fail_in(file_, errno);
   std::atomic<int> error = 0;
   workers.each(maps.size(), 1, [&](std::size_t begin, std::size_t end) {
@@ -75,7 +64,7 @@ void MapStore::save(common::StateWriter& state) const { state.put_all(std::span<
 bool MapStore::load(common::StateReader& state, std::span<ChartMap> maps, const common::Workers& workers) {
   std::vector<Place> places;
   if (!state.get_all(places) || places.size() != maps.size()) return false;
-  const Descriptor file(file_, O_RDONLY);
+  const common::Descriptor file(open_file(file_, O_RDONLY));
   if (file.number() < 0 || std::any_of(places.begin(), places.end(), [](Place p) { return p.copy > in_no_place; }))
     return false;
   std::atomic<bool> is_good = true;

@@ -28,9 +28,7 @@ std::optional<Cause> check_state(const DrawCall& call, const DrawConditions& con
   if (b.transform_feedback.active && !b.transform_feedback.paused && !conditions.feedback_is_ours) {
     return Cause::transform_feedback;
   }
-  // Counting our own triangles would take a query that the application has open.
-  const bool needs_query = !call.exact && b.queries.written != 0 && b.queries.generated != 0;
-  if ((conditions.transparent && b.queries.active > 0) || needs_query) {
+  if (conditions.transparent && b.queries.active > 0) {
     return Cause::primitive_query;
   }
   if (conditions.transparent && shows_lines_or_points(b)) {

@@ -34,7 +34,14 @@ class VertexMaterials {
 
   // glMaterial set these parameters between the vertices of a primitive. The following primitives capture them.
   void note(MaterialSet parameters) { noted_ |= parameters; }
-  MaterialSet noted() const { return noted_; }
+  // glMaterial has set these parameters after glBegin, before the first vertex: they may vary between the vertices.
+  void expect(MaterialSet parameters) { expected_ |= parameters & ~constant_; }
+  MaterialSet may_vary() const { return noted_ | expected_; }
+  // From now on, parameters that did not vary are not expected to.
+  void primitive_ended() {
+    constant_ |= expected_ & ~noted_;
+    expected_ = 0;
+  }
 
   // The vertices of the open capture carry these parameters in attributes.
   void carry(MaterialSet parameters) { carried_ = parameters; }
@@ -44,6 +51,8 @@ class VertexMaterials {
 
  private:
   MaterialSet noted_ = 0;
+  MaterialSet expected_ = 0;
+  MaterialSet constant_ = 0;
   MaterialSet carried_ = 0;
   std::array<CurrentValue, material_parameters> displaced_{};
   std::vector<MaterialChange> deferred_;

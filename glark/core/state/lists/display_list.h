@@ -89,6 +89,7 @@ struct ListSegment {
   enum class Kind { state, draw, call, call_offset };
   Kind kind = Kind::state;
   GLuint list = 0;             // our list; call: the application's; call_offset: added to glListBase
+  bool joins = false;          // call_offset: the same glCallLists calls the segment before it, and its base holds
   GLenum mode = GL_TRIANGLES;  // of a draw segment
   std::uint64_t vertices = 0;  // of a draw segment
   std::uint64_t triangles = 0;

@@ -37,9 +37,9 @@ void ListCompilation::add_loose_vertices(std::uint64_t vertices) {
   }
 }
 
-void ListCompilation::add_call(ListSegment::Kind kind, GLuint list) {
+void ListCompilation::add_call(ListSegment::Kind kind, GLuint list, bool joins) {
   list_->calls_lists = true;
-  list_->segments.push_back({.kind = kind, .list = list});
+  list_->segments.push_back({.kind = kind, .list = list, .joins = joins});
 }
 
 void ListCompilation::add_vertex_list(VertexList list) {

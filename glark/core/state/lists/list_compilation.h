@@ -43,7 +43,7 @@ class ListCompilation {
   bool add_stack_step(StackStep step);
   void add_loose_vertices(std::uint64_t vertices);
   // A call of another list: as a segment of its own, or between glBegin and glEnd.
-  void add_call(ListSegment::Kind kind, GLuint list);
+  void add_call(ListSegment::Kind kind, GLuint list, bool joins = false);
   void add_vertex_list(VertexList list);
 
   // The GL list that takes the calls from now on.

@@ -70,6 +70,10 @@ struct Program {
   std::map<GLint, GLuint64> handles;          // by location: bindless textures and images that uniforms name
   bool uniforms_stale = false;  // a display list changed uniforms: copy all values before the next refined draw
 
+  bool has_virtual_uniform(GLint location) const {
+    const std::lock_guard lock(mutex);
+    return location - virtual_location_base < static_cast<GLint>(virtual_uniforms.size());
+  }
   bool has_stage(GLenum stage) const {
     for (const StageSource& source : stages) {
       if (source.stage == stage) {

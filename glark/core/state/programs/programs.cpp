@@ -108,6 +108,18 @@ LockedMirrors Programs::mirrors(const Bindings& bindings, GLuint program) const 
   return known != nullptr ? LockedMirrors(std::move(known), gl_, bindings.debug_output) : LockedMirrors();
 }
 
+bool Programs::has_virtual_uniform(const Bindings& bindings, GLint location) {
+  if (current_ == nullptr && bindings.program == 0 && bindings.pipeline != 0) {
+    return has_virtual_uniform(bindings, pipelines_.object(bindings.pipeline).active, location);
+  }
+  return current_ != nullptr && current_->has_virtual_uniform(location);
+}
+
+bool Programs::has_virtual_uniform(const Bindings&, GLuint program, GLint location) const {
+  const std::shared_ptr<Program> known = find(program);
+  return known != nullptr && known->has_virtual_uniform(location);
+}
+
 namespace {
 
 void note_handles(Program& program, GLint location, GLsizei count, const GLuint64* values) {

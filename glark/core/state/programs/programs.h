@@ -66,6 +66,9 @@ class Programs {
   // The derived programs that uniform calls must reach, too: those of the program in use, or of the one named.
   LockedMirrors mirrors(const Bindings& bindings);
   LockedMirrors mirrors(const Bindings& bindings, GLuint program) const;
+  // A location that glark gave to a uniform of the refinement shader of the program in use, or of the one named.
+  bool has_virtual_uniform(const Bindings& bindings, GLint location);
+  bool has_virtual_uniform(const Bindings& bindings, GLuint program, GLint location) const;
   // glUniformHandleui64: programs that are derived later get the handles, too.
   void set_handles(const Bindings& bindings, GLint location, GLsizei count, const GLuint64* values);
   void set_handles(const Bindings& bindings, GLuint program, GLint location, GLsizei count, const GLuint64* values);

@@ -11,9 +11,17 @@ namespace glark::core::track {
 // The current capture of glBegin..glEnd is full: draws it and begins another one.
 void immediate_full(Context& context);
 
+// Whether a call of the open primitive, or of the list that is compiled, gives a vertex.
+bool gives_vertex(Context& context, VertexSource source);
+// Call before glBegin.
+VertexSources vertex_sources(Context& context);
+
 // Called before a vertex of `components` components.
-inline void count_vertex(Context& context, unsigned components) {
+inline void count_vertex(Context& context, unsigned components, VertexSource source = VertexSource::call) {
   ImmediateMode& immediate = context.state().immediate();
+  if (source != VertexSource::call && !gives_vertex(context, source)) {
+    return;
+  }
   if (immediate.full()) {
     immediate_full(context);
   }

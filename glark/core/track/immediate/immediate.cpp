@@ -22,7 +22,7 @@ std::uint64_t vertices_of_primitive(GLenum mode) {
 
 // The parameters of the material that differ between the vertices of some primitives.
 MaterialSet varying_materials(Context& c) {
-  const MaterialSet noted = c.state().immediate().materials().noted();
+  const MaterialSet noted = c.state().immediate().materials().may_vary();
   if (noted == 0) {
     return 0;
   }
@@ -52,12 +52,13 @@ void end_capture(Context& c) {
   c.update_refining();
 }
 
-// The vertices do not carry the parameter: those so far are drawn before it changes.
+// The vertices do not carry the parameter: those so far are drawn before it changes. Those that follow carry it.
 void restart_capture(Context& c, const MaterialChange& change) {
   ImmediateMode& immediate = c.state().immediate();
   c.gl().End();
   end_capture(c);
   change.call(c.gl(), change);
+  immediate.materials().expect(change.parameters());
   immediate.restart_counts();
   begin_capture(c, immediate.mode());
   c.gl().Begin(immediate.mode());
@@ -66,6 +67,32 @@ void restart_capture(Context& c, const MaterialChange& change) {
 }  // namespace
 
 namespace track {
+
+VertexSources vertex_sources(Context& c) {
+  c.state().refresh();
+  ArrayState& arrays = c.state().arrays();
+  VertexSources sources{.elements = arrays.attribute_source(vertex_slot).enabled ||
+                                    arrays.attribute_source(generic_slot(0)).enabled};
+  if (c.share().maps_vertices) {
+    const auto enabled = [&c](GLenum map) { return c.gl().IsEnabled(map) != GL_FALSE; };
+    sources.map1 = enabled(GL_MAP1_VERTEX_3) || enabled(GL_MAP1_VERTEX_4);
+    sources.map2 = enabled(GL_MAP2_VERTEX_3) || enabled(GL_MAP2_VERTEX_4);
+  }
+  return sources;
+}
+
+bool gives_vertex(Context& c, VertexSource source) {
+  const ListCompilation& lists = c.state().lists();
+  if (!lists.compiling()) {
+    return c.state().immediate().sources().give(source);
+  }
+  if (source != VertexSource::elements) {  // the maps are those of the time when the list is called
+    c.state().immediate().note_uncertain();
+    return true;
+  }
+  const bool may_ask = lists.cutting() || !lists.executes_too();
+  return !may_ask || vertex_sources(c).elements;
+}
 
 void immediate_full(Context& c) {
   ImmediateMode& immediate = c.state().immediate();
@@ -80,6 +107,7 @@ void primitive_ended(Context& c) {
   ImmediateMode& immediate = c.state().immediate();
   if (immediate.end()) {
     end_capture(c);
+    immediate.materials().primitive_ended();
   } else if (c.refining()) {
     c.stages()->draw().end_unrefined(counted_triangles(immediate));
   }
@@ -143,6 +171,9 @@ void Begin(Context& c, GLenum mode) {
     return;
   }
   immediate.restart_counts();
+  if (c.refining() && !immediate.open()) {
+    immediate.set_sources(track::vertex_sources(c));
+  }
   if (immediate.begin(mode) && c.refining()) {
     begin_capture(c, mode);
   }

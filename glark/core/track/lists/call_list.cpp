@@ -69,8 +69,10 @@ void call_list(Context& c, GLuint name, int depth) {
     follow_primitive(c, list.get());
     return;
   }
+  GLuint base = 0;
   for (const ListSegment& segment : list->segments) {
-    track::call_segment(c, segment, depth);
+    base = segment.kind == ListSegment::Kind::call_offset && !segment.joins ? track::list_base(c) : base;
+    track::call_segment(c, segment, base, depth);
   }
 }
 
@@ -91,18 +93,18 @@ GLuint list_base(Context& c) {
   return c.state().bindings().list_base;
 }
 
-void call_segment(Context& c, const ListSegment& segment, int depth) {
+void call_segment(Context& c, const ListSegment& segment, GLuint base, int depth) {
   switch (segment.kind) {
     case ListSegment::Kind::state: run_state(c, segment); break;
     case ListSegment::Kind::draw: run_draw(c, segment, triangles_of_segment(c, segment)); break;
     case ListSegment::Kind::call: call_list(c, segment.list, depth + 1); break;
-    case ListSegment::Kind::call_offset: call_list(c, list_base(c) + segment.list, depth + 1); break;
+    case ListSegment::Kind::call_offset: call_list(c, base + segment.list, depth + 1); break;
   }
 }
 
-void follow_stacks(Context& c, GLsizei n, GLenum type, const void* lists) {
+void follow_stacks(Context& c, GLuint base, GLsizei n, GLenum type, const void* lists) {
   for (GLsizei i = 0; i < n && c.share().lists_push; ++i) {
-    follow_stack(c, list_base(c) + name_at(type, lists, i));
+    follow_stack(c, base + name_at(type, lists, i));
   }
 }
 
@@ -139,22 +141,23 @@ void CallLists(Context& c, GLsizei n, GLenum type, const void* lists) {
     return;
   }
   ImmediateMode& immediate = c.state().immediate();
+  const GLuint base = track::list_base(c);
   if (!c.refining() || immediate.open()) {
     for (GLsizei i = 0; i < n && immediate.capturing(); ++i) {
-      immediate.count_called(vertices_of(c, track::list_base(c) + track::name_at(type, lists, i), 0));
+      immediate.count_called(vertices_of(c, base + track::name_at(type, lists, i), 0));
     }
     c.gl().CallLists(n, type, lists);
     track::forget_state(c, nullptr);
     for (GLsizei i = 0; i < n; ++i) {
-      follow_primitive(c, track::find_list(c, track::list_base(c) + track::name_at(type, lists, i)).get());
+      follow_primitive(c, track::find_list(c, base + track::name_at(type, lists, i)).get());
     }
-    track::follow_stacks(c, n, type, lists);
+    track::follow_stacks(c, base, n, type, lists);
     return;
   }
   for (GLsizei i = 0; i < n; ++i) {
-    call_list(c, track::list_base(c) + track::name_at(type, lists, i), 0);
+    call_list(c, base + track::name_at(type, lists, i), 0);
   }
-  track::follow_stacks(c, n, type, lists);
+  track::follow_stacks(c, base, n, type, lists);
 }
 
 void DeleteLists(Context& c, GLuint first, GLsizei range) {

@@ -6,6 +6,7 @@
 #include <bit>
 #include <functional>
 #include <utility>
+#include <vector>
 
 #include "glark/core/objects/error_scope.h"
 #include "glark/core/track/lists/list_names.h"
@@ -43,7 +44,7 @@ void close_segment(Context& c, ListSegment segment) {
 }
 
 // GL_COMPILE_AND_EXECUTE: executes the segment that was just recorded.
-void execute_last(Context& c) {
+void execute_last(Context& c, GLuint base = 0) {
   ListCompilation& lists = c.state().lists();
   if (!lists.executes_too()) {
     return;
@@ -51,9 +52,9 @@ void execute_last(Context& c) {
   lists.set_compiling(false);       // the stages draw now
   track::forget_state(c, nullptr);  // GL has executed earlier recorded calls, which glark did not see
   const ListSegment last(lists.last_segment());
-  track::call_segment(c, last, 0);
+  track::call_segment(c, last, base, 0);
   if (last.kind == ListSegment::Kind::call) track::follow_stack(c, last.list);
-  if (last.kind == ListSegment::Kind::call_offset) track::follow_stack(c, track::list_base(c) + last.list);
+  if (last.kind == ListSegment::Kind::call_offset) track::follow_stack(c, base + last.list);
   lists.set_compiling(true);
 }
 
@@ -77,6 +78,7 @@ ListSegment immediate_segment(Context& c) {
   // A vertex that adds attributes or components also splits the primitive.
   constexpr std::uint64_t vertices_of_parts = 160;
   const bool restarts = immediate.restarted() || c.state().bindings().primitive_restart || immediate.elements_restart();
+  const bool certain = !restarts && !immediate.uncertain();
   const bool parts =
       lists.effects().late || !lists.primitive().vertex_lists().empty() || !std::has_single_bit(immediate.components());
   const std::uint64_t own = immediate.all_vertices();
@@ -86,21 +88,26 @@ ListSegment immediate_segment(Context& c) {
       .mode = lists.primitive().mode(),
       .vertices = vertices,
       .triangles = triangles_of(lists.primitive().mode(), vertices),
-      .exact = !restarts && !parts,
+      .exact = certain && !parts,
       .sets_tags = immediate.tags_set() || may_set_tags(lists.effects()) || !lists.primitive().vertex_lists().empty(),
-      .whole_polygons = !restarts && !parts,
+      .whole_polygons = certain && !parts,
       .vertex_lists = lists.primitive().vertex_lists()};
 }
 
 // Replaces the application's list with one that calls the segments, and returns the previous list of this name.
 std::shared_ptr<DisplayList> put_together(Context& c, const std::shared_ptr<DisplayList>& list, GLuint name) {
   c.gl().NewList(name, GL_COMPILE);
-  for (const ListSegment& segment : list->segments) {
-    if (segment.kind == ListSegment::Kind::call_offset) {
-      c.gl().CallLists(1, GL_UNSIGNED_INT, &segment.list);
-    } else {
-      c.gl().CallList(segment.list);
+  std::vector<GLuint> names;
+  for (auto segment = list->segments.begin(); segment != list->segments.end();) {
+    if (segment->kind != ListSegment::Kind::call_offset) {
+      c.gl().CallList(segment++->list);
+      continue;
     }
+    names.clear();
+    do {
+      names.push_back(segment++->list);
+    } while (segment != list->segments.end() && segment->joins);
+    c.gl().CallLists(static_cast<GLsizei>(names.size()), GL_UNSIGNED_INT, names.data());
   }
   c.gl().EndList();
   std::shared_ptr<DisplayList> other = list;
@@ -211,6 +218,7 @@ void record_call(Context& c, GLuint name) {
 // The lists that glCallLists calls depend on GL_LIST_BASE at the time when this list is called.
 void record_calls(Context& c, GLsizei n, GLenum type, const void* names) {
   ListCompilation& lists = c.state().lists();
+  const GLuint base = lists.executes_too() ? list_base(c) : 0;
   for (GLsizei i = 0; i < n; ++i) {
     lists.add_stack_step({StackStep::Kind::call_offset, name_at(type, names, i)});
   }
@@ -219,13 +227,13 @@ void record_calls(Context& c, GLsizei n, GLenum type, const void* names) {
       lists.add_vertex_list({name_at(type, names, i), true});
     }
     c.gl().CallLists(n, type, names);
-    if (lists.executes_too()) follow_stacks(c, n, type, names);
+    if (lists.executes_too()) follow_stacks(c, base, n, type, names);
     return;
   }
   close_segment(c, {});
   for (GLsizei i = 0; i < n; ++i) {
-    lists.add_call(ListSegment::Kind::call_offset, name_at(type, names, i));
-    execute_last(c);
+    lists.add_call(ListSegment::Kind::call_offset, name_at(type, names, i), i > 0);
+    execute_last(c, base);
   }
   open_segment(c, lists.mode());
 }

@@ -33,8 +33,9 @@ void delete_segments(Context& context, const DisplayList& list);
 void outside_list(Context& context, const std::function<void()>& call);
 
 // While a list is called (call_list.cpp).
-void call_segment(Context& context, const ListSegment& segment, int depth);
-void follow_stacks(Context& context, GLsizei n, GLenum type, const void* lists);
+// `base` is the list base of a call by glCallLists, as it was when that began: a called list may change GL_LIST_BASE.
+void call_segment(Context& context, const ListSegment& segment, GLuint base, int depth);
+void follow_stacks(Context& context, GLuint base, GLsizei n, GLenum type, const void* lists);
 // A list may have changed state unseen. Null: an unknown list, or one that calls others.
 void forget_state(Context& context, const DisplayList* list);
 

@@ -16,6 +16,13 @@ bool follows(Context& c, GLenum target) {
          c.capabilities().refinable && c.capabilities().is_compatibility();
 }
 
+// The generated vertex stage gives what the fragment program reads.
+void note_fragment_program(Context& c, GLenum target) {
+  if (target == GL_FRAGMENT_PROGRAM_ARB) {
+    c.changes().touch_fixed_function();
+  }
+}
+
 void note_environment(Context& c, GLenum target, GLuint first, const GLfloat* values, GLsizei count = 1) {
   if (follows(c, target) && values != nullptr) {
     c.state().programs().assembly().set_environment(first, values, count);
@@ -39,6 +46,7 @@ namespace hook {
 
 void BindProgramARB(Context& c, GLenum target, GLuint program) {
   c.gl().BindProgramARB(target, program);
+  note_fragment_program(c, target);
   if (follows(c, target)) {
     c.state().programs().assembly().bound(program);
   }
@@ -46,6 +54,7 @@ void BindProgramARB(Context& c, GLenum target, GLuint program) {
 
 void DeleteProgramsARB(Context& c, GLsizei n, const GLuint* programs) {
   c.gl().DeleteProgramsARB(n, programs);
+  note_fragment_program(c, GL_FRAGMENT_PROGRAM_ARB);  // one of them may be bound
   if (n > 0 && programs != nullptr) {
     c.state().programs().assembly().deleted({programs, static_cast<std::size_t>(n)});
   }
@@ -53,6 +62,7 @@ void DeleteProgramsARB(Context& c, GLsizei n, const GLuint* programs) {
 
 void ProgramStringARB(Context& c, GLenum target, GLenum format, GLsizei length, const void* string) {
   c.gl().ProgramStringARB(target, format, length, string);
+  note_fragment_program(c, target);
   if (follows(c, target)) {
     c.state().programs().assembly().loaded();
   }
@@ -61,6 +71,7 @@ void ProgramStringARB(Context& c, GLenum target, GLenum format, GLsizei length, 
 void NamedProgramStringEXT(Context& c, GLuint program, GLenum target, GLenum format, GLsizei length,
                            const void* string) {
   c.gl().NamedProgramStringEXT(program, target, format, length, string);
+  note_fragment_program(c, target);
   if (follows(c, target)) {
     c.state().programs().assembly().loaded(program);
   }

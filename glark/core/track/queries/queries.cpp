@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Hooks that begin and end queries. Queries that count primitives must not count our captures.
+// Hooks that begin and end queries and conditional rendering. Queries that count primitives must not count our captures.
 #include <algorithm>
 
 #include "glark/core/track/track.h"
@@ -101,11 +101,36 @@ void DeleteQueries(Context& c, GLsizei n, const GLuint* ids) {
   c.gl().DeleteQueries(n, ids);
   for (GLsizei i = 0; i < n && ids != nullptr; ++i) {
     c.state().query_surplus().forget(ids[i]);
+    c.state().conditional_rendering().query_deleted(ids[i]);
     for (const GLenum target : {GL_PRIMITIVES_GENERATED, GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN}) {
       if (const GLuint* slot = triangle_query(c, target, 0); ids[i] != 0 && *slot == ids[i]) {
         query_ended(c, target, 0);
       }
     }
+  }
+}
+
+void BeginConditionalRender(Context& c, GLuint id, GLenum mode) {
+  if (c.state().lists().compiling()) {
+    c.state().conditional_rendering().lose();
+    c.gl().BeginConditionalRender(id, mode);
+    return;
+  }
+  ErrorScope errors(c.pending_error());
+  c.gl().BeginConditionalRender(id, mode);
+  if (const GLenum error = errors.take(); error != GL_NO_ERROR) {
+    c.pending_error().raise(error);
+    return;
+  }
+  c.state().conditional_rendering().begin(id, mode);
+}
+
+void EndConditionalRender(Context& c) {
+  c.gl().EndConditionalRender();
+  if (c.state().lists().compiling()) {
+    c.state().conditional_rendering().lose();
+  } else {
+    c.state().conditional_rendering().end();
   }
 }
 

@@ -4,6 +4,7 @@
 // Hooks that read results of queries. What our captures added is subtracted, in client memory and in buffers.
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "glark/core/objects/quiet.h"
 #include "glark/core/track/track.h"
@@ -13,13 +14,20 @@ namespace {
 
 bool is_result(GLenum name) { return name == GL_QUERY_RESULT || name == GL_QUERY_RESULT_NO_WAIT; }
 
-// The right result, as GL would give it in this type. Waits for it.
+// As GL would give the result in this type.
 template <typename Value>
-Value right_result(const gl::Dispatch& gl, GLuint id, std::uint64_t surplus) {
+Value without_surplus(std::int64_t counted, std::int64_t surplus) {
+  const std::int64_t result = std::max<std::int64_t>(counted - surplus, 0);
+  return std::cmp_less(std::numeric_limits<Value>::max(), result) ? std::numeric_limits<Value>::max()
+                                                                  : static_cast<Value>(result);
+}
+
+// The right result. Waits for it.
+template <typename Value>
+Value right_result(const gl::Dispatch& gl, GLuint id, std::int64_t surplus) {
   GLuint64 counted = 0;
   gl.GetQueryObjectui64v(id, GL_QUERY_RESULT, &counted);
-  const std::uint64_t result = counted - std::min<std::uint64_t>(counted, surplus);
-  return static_cast<Value>(std::min<std::uint64_t>(result, std::numeric_limits<Value>::max()));
+  return without_surplus<Value>(static_cast<std::int64_t>(counted), surplus);
 }
 
 // While it lives, another buffer is bound to GL_QUERY_BUFFER.
@@ -47,7 +55,7 @@ bool is_available(Context& c, GLuint id) {
 // GL has written a result with our captures to the buffer, and the right one replaces it. glClearBufferSubData may write
 // to any buffer, glBufferSubData may not.
 template <typename Value>
-void replace_result(Context& c, GLuint id, std::uint64_t surplus, GLuint buffer, GLintptr offset) {
+void replace_result(Context& c, GLuint id, std::int64_t surplus, GLuint buffer, GLintptr offset) {
   constexpr GLenum format = sizeof(Value) == sizeof(GLuint) ? GL_R32UI : GL_RG32UI;
   constexpr GLenum components = sizeof(Value) == sizeof(GLuint) ? GL_RED_INTEGER : GL_RG_INTEGER;
   Value right = 0;
@@ -64,7 +72,7 @@ void replace_result(Context& c, GLuint id, std::uint64_t surplus, GLuint buffer,
 template <typename Value, class Get>
 void get_into_buffer(Context& c, GLuint id, GLenum name, GLuint buffer, GLintptr offset, const Get& get) {
   c.writes().to_buffer(buffer);
-  const std::uint64_t* surplus = c.state().query_surplus().find(id);
+  const std::int64_t* surplus = c.state().query_surplus().find(id);
   if (surplus == nullptr || !is_result(name)) {
     get();
     return;
@@ -91,10 +99,21 @@ void get_result(Context& c, GLuint id, GLenum name, Value* result, const Get& ge
     get_into_buffer<Value>(c, id, name, buffer, reinterpret_cast<GLintptr>(result), get);
     return;
   }
-  get();
-  const std::uint64_t* surplus = c.state().query_surplus().find(id);
-  if (surplus != nullptr && result != nullptr && is_result(name)) {
-    *result -= std::min(*result, static_cast<Value>(*surplus));
+  const std::int64_t* surplus = c.state().query_surplus().find(id);
+  if (surplus == nullptr || result == nullptr || !is_result(name)) {
+    get();
+    return;
+  }
+  ErrorScope errors(c.pending_error());
+  const bool waits = name == GL_QUERY_RESULT;
+  const bool written = waits || is_available(c, id);
+  if (written) {
+    get();
+  }
+  const GLenum error = errors.take();
+  c.pending_error().raise(error);
+  if (written && error == GL_NO_ERROR) {
+    *result = without_surplus<Value>(static_cast<std::int64_t>(*result), *surplus);
   }
 }
 
