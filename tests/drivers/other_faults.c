@@ -217,6 +217,31 @@ static void show_popped_value(void) {
               "says whether a shader sees the texture coordinate that glPopAttrib restores");
 }
 
+static void call_list_1(GLenum mode) {
+  (void)mode;
+  glCallList(1);
+}
+
+// OpenGL 4.6 compatibility, 21.4: vertices of a list have the current values that they find, and each belongs to the strip.
+static void show_late_color(void) {
+  glNewList(1, GL_COMPILE);
+  glBegin(GL_TRIANGLE_STRIP);
+  glVertex3f(0, 0, 0);
+  glColor3f(1, 0, 0);
+  glVertex3f(1, 0, 0);
+  glVertex3f(0, 1, 0);
+  glVertex3f(1, 1, 0);
+  glEnd();
+  glEndList();
+  program_of(GL_VERTEX_SHADER,
+             "#version 330 compatibility\nout float corner;\n"
+             "void main() { corner = gl_Vertex.x; gl_FrontColor = gl_Color; gl_Position = gl_Vertex; }\n",
+             "corner");
+  print_fault("late_color", capture(call_list_1, GL_TRIANGLES).triangles, 2,
+              "triangles of a strip in a list that sets a colour after the first vertex");
+  glDeleteLists(1, 1);
+}
+
 // OpenGL 4.6 compatibility, 17.4: both are allowed. Where depths change their sign, refinement shows it.
 static void show_fog_of_fragments(void) {
   const float black[] = {0, 0, 0, 1};
@@ -285,5 +310,6 @@ void show_other_faults(int version) {
   show_color_of_back();
   show_value_without_vertex();
   show_popped_value();
+  show_late_color();
   show_fog_of_fragments();
 }

@@ -23,6 +23,15 @@ void leave(Context& context, const DrawCall& call, Cause cause) {
   context.update_refining();
 }
 
+// Such a call draws nothing: the application's transform feedback may stay ours.
+void refused(Context& context, const Issue& issue) {
+  if (context.state().lists().compiling()) {
+    draw(context, {.mode = GL_POINTS, .issue = issue});
+  } else {
+    issue();
+  }
+}
+
 void hand_back_feedback(Context& context) {
   context.stages()->feedback().hand_back();
   context.update_refining();
@@ -164,7 +173,12 @@ std::uint64_t end_of_all(const GLint* first, const GLsizei* count, GLsizei draws
 void draw_feedback(Context& context, GLenum mode, GLuint id, GLsizei instances, Issue issue) {
   context.stages()->draw().begin_counted();
   const std::optional<std::uint64_t> vertices = context.stages()->feedback().room().vertices(id);
-  if (!vertices || instances < 0) {
+  if (instances < 0 || mode > GL_PATCHES ||
+      (!vertices && context.gl().IsTransformFeedback(id) == GL_FALSE && id != 0)) {
+    refused(context, issue);
+    return;
+  }
+  if (!vertices) {
     leave(context, {.mode = mode, .from_arrays = true, .issue = issue}, Cause::indirect_unbounded);
     return;
   }

@@ -47,6 +47,17 @@ struct IndirectDraw {
   GLenum index_type = 0;
 };
 
+// GL refuses draws from a buffer that is mapped, unless the mapping is persistent.
+bool is_mapped(Context& c) {
+  GLint mapped = 0;
+  GLint access = 0;
+  c.gl().GetBufferParameteriv(GL_DRAW_INDIRECT_BUFFER, GL_BUFFER_MAPPED, &mapped);
+  if (mapped != 0) {
+    c.gl().GetBufferParameteriv(GL_DRAW_INDIRECT_BUFFER, GL_BUFFER_ACCESS_FLAGS, &access);
+  }
+  return mapped != 0 && (access & GL_MAP_PERSISTENT_BIT) == 0;
+}
+
 // No words: GL will refuse the call, or the commands cannot be read.
 Commands read_commands(Context& c, const IndirectDraw& call) {
   c.state().refresh();
@@ -60,7 +71,8 @@ Commands read_commands(Context& c, const IndirectDraw& call) {
   GLint size = 0;
   if (!in_memory) {
     c.gl().GetBufferParameteriv(GL_DRAW_INDIRECT_BUFFER, GL_BUFFER_SIZE, &size);
-    if (draws > 0 && (draws - 1) * static_cast<std::uint64_t>(stride) > static_cast<std::uint64_t>(size)) {
+    if (is_mapped(c) ||
+        (draws > 0 && (draws - 1) * static_cast<std::uint64_t>(stride) > static_cast<std::uint64_t>(size))) {
       return commands;
     }
   }
@@ -80,7 +92,11 @@ Commands read_commands(Context& c, const IndirectDraw& call) {
 }
 
 void draw_indirect(Context& c, const IndirectDraw& call, Issue issue) {
-  if (call.draws < 0 || call.stride % 4 != 0 || !is_triangle_mode(call.mode)) {
+  if (call.draws < 0 || call.stride % 4 != 0 || call.mode > GL_PATCHES) {
+    track::refused(c, issue);
+    return;
+  }
+  if (!is_triangle_mode(call.mode)) {
     track::draw(c, {.mode = GL_POINTS, .issue = issue});
     return;
   }
@@ -98,6 +114,10 @@ void draw_indirect(Context& c, const IndirectDraw& call, Issue issue) {
     if (call.mode == GL_POLYGON && splits_polygons(c.options(), c.ark()) && vertices >= 3) {
       sides.insert(sides.end(), instances, vertices);
     }
+  }
+  if (commands.words.empty() && c.capabilities().api != Capabilities::Api::es) {
+    track::refused(c, issue);
+    return;
   }
   if (commands.words.empty()) {
     track::leave(c, {.mode = call.mode, .from_arrays = true, .issue = issue}, Cause::indirect_unbounded);

@@ -4,6 +4,8 @@
 // Functions that the hooks share.
 #pragma once
 
+#include <vector>
+
 #include "glark/core/capture/draw_call.h"
 #include "glark/core/context.h"
 #include "glark/core/stages.h"
@@ -22,6 +24,8 @@ void draw(Context& context, const DrawCall& call);
 // back to GL.
 void refine(Context& context, const DrawCall& call);
 void leave(Context& context, const DrawCall& call, Cause cause);
+// Issues a draw that GL will refuse.
+void refused(Context& context, const Issue& issue);
 void hand_back_feedback(Context& context);
 
 // A call that GL refuses while transform feedback is active and not paused. Returns whether it is one now, and raises
@@ -38,6 +42,8 @@ void end_materials(Context& context);
 // While a display list is compiled: glMaterial, and glEnd.
 void record_material(Context& context, const MaterialChange& change);
 void record_materials_end(Context& context);
+// The values of the attributes that carry materials in the segment, except for those that it sets itself.
+std::vector<CurrentValue> values_under_materials(Context& context, const SegmentEffects& effects);
 // Sets the attributes of these parameters as the change sets the parameters.
 void carry_change(Context& context, const MaterialChange& change, MaterialSet parameters);
 // Refined draws replace the fixed-function vertex stage, not a program.

@@ -6,6 +6,7 @@
 // GL_ARK is enabled, each draw segment is captured and refined when the list is called.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -27,6 +28,7 @@ struct SegmentMaterials {
   bool set = false;
   MaterialSet varying = 0;  // set after the first vertex
   MaterialSet carried = 0;  // the segment sets their attributes, too, from the first vertex on
+  MaterialAttributes attributes = no_material_attributes();  // of `carried`
 
   // Some vertices inherit a material that the segment does not set.
   bool inherited() const { return (varying & ~carried) != 0; }
@@ -63,6 +65,12 @@ struct SegmentEffects {
     values.clear();
     set = 0;
     own = 0;
+  }
+  // Null: it does not set the attribute.
+  const CurrentValue* find(int slot) const {
+    const auto found =
+        std::find_if(values.begin(), values.end(), [slot](const Value& each) { return each.slot == slot; });
+    return found != values.end() ? &found->value : nullptr;
   }
   void record(int slot, const CurrentValue& value, bool before_vertices) {
     if (slot < 0) {

@@ -96,23 +96,28 @@ void Programs::mirror_from_now_on() {
   }
 }
 
-LockedMirrors Programs::mirrors(const Bindings& bindings) {
+std::shared_ptr<Program> Programs::set_by_uniforms(const Bindings& bindings) {
   if (current_ == nullptr && bindings.program == 0 && bindings.pipeline != 0) {
-    return mirrors(bindings, pipelines_.object(bindings.pipeline).active);
+    return find(pipelines_.object(bindings.pipeline).active);
   }
-  return current_ != nullptr ? LockedMirrors(current_, gl_, bindings.debug_output) : LockedMirrors();
+  return current_;
+}
+
+LockedMirrors Programs::locked_mirrors(std::shared_ptr<const Program> program, const Bindings& bindings) const {
+  return program != nullptr ? LockedMirrors(std::move(program), gl_, bindings.debug_output) : LockedMirrors();
+}
+
+LockedMirrors Programs::mirrors(const Bindings& bindings) {
+  return locked_mirrors(set_by_uniforms(bindings), bindings);
 }
 
 LockedMirrors Programs::mirrors(const Bindings& bindings, GLuint program) const {
-  std::shared_ptr<Program> known = find(program);
-  return known != nullptr ? LockedMirrors(std::move(known), gl_, bindings.debug_output) : LockedMirrors();
+  return locked_mirrors(find(program), bindings);
 }
 
 bool Programs::has_virtual_uniform(const Bindings& bindings, GLint location) {
-  if (current_ == nullptr && bindings.program == 0 && bindings.pipeline != 0) {
-    return has_virtual_uniform(bindings, pipelines_.object(bindings.pipeline).active, location);
-  }
-  return current_ != nullptr && current_->has_virtual_uniform(location);
+  const std::shared_ptr<Program> program = set_by_uniforms(bindings);
+  return program != nullptr && program->has_virtual_uniform(location);
 }
 
 bool Programs::has_virtual_uniform(const Bindings&, GLuint program, GLint location) const {
@@ -132,10 +137,8 @@ void note_handles(Program& program, GLint location, GLsizei count, const GLuint6
 }  // namespace
 
 void Programs::set_handles(const Bindings& bindings, GLint location, GLsizei count, const GLuint64* values) {
-  if (current_ != nullptr) {
-    note_handles(*current_, location, count, values);
-  } else if (bindings.program == 0 && bindings.pipeline != 0) {
-    set_handles(bindings, pipelines_.object(bindings.pipeline).active, location, count, values);
+  if (const std::shared_ptr<Program> program = set_by_uniforms(bindings); program != nullptr) {
+    note_handles(*program, location, count, values);
   }
 }
 

@@ -78,6 +78,9 @@ class Programs {
   void mirror_from_now_on();
 
  private:
+  // The program whose uniforms glUniform* sets; null as for current().
+  std::shared_ptr<Program> set_by_uniforms(const Bindings& bindings);
+  LockedMirrors locked_mirrors(std::shared_ptr<const Program> program, const Bindings& bindings) const;
   std::vector<StageSource> read_stages(GLuint program) const;
 
   const gl::Dispatch& gl_;

@@ -20,6 +20,11 @@ std::uint64_t vertices_of_primitive(GLenum mode) {
   }
 }
 
+// GL refuses other modes of glBegin, and is then not between glBegin and glEnd.
+bool is_mode_of_begin(GLenum mode) {
+  return mode <= GL_POLYGON || (mode >= GL_LINES_ADJACENCY && mode <= GL_TRIANGLE_STRIP_ADJACENCY);
+}
+
 // The parameters of the material that differ between the vertices of some primitives.
 MaterialSet varying_materials(Context& c) {
   const MaterialSet noted = c.state().immediate().materials().may_vary();
@@ -160,6 +165,10 @@ bool replaces_fixed_function(Context& c) {
 namespace hook {
 
 void Begin(Context& c, GLenum mode) {
+  if (!is_mode_of_begin(mode)) {
+    c.gl().Begin(mode);
+    return;
+  }
   ImmediateMode& immediate = c.state().immediate();
   if (c.state().lists().compiling()) {
     c.state().lists().add_loose_vertices(immediate.vertices());

@@ -5,6 +5,7 @@
 // sees the material from before glBegin.
 #include <algorithm>
 #include <cstring>
+#include <vector>
 
 #include "glark/core/track/track.h"
 
@@ -36,12 +37,17 @@ void set_attribute(const gl::Dispatch& gl, GLuint attribute, const void* compone
   gl.VertexAttrib4fv(attribute, static_cast<const GLfloat*>(components));
 }
 
-CurrentValue value_of_attribute(const Context& c, GLuint attribute) {
+CurrentValue read_attribute(const Context& c, GLuint attribute) {
   CurrentValue value{.again = set_attribute, .index = attribute, .bytes = 4 * sizeof(GLfloat)};
   std::array<GLfloat, 4> components{};
   c.gl().GetVertexAttribfv(attribute, GL_CURRENT_VERTEX_ATTRIB, components.data());
   std::memcpy(value.components.data(), components.data(), value.bytes);
   return value;
+}
+
+CurrentValue value_of_attribute(Context& c, GLuint attribute) {
+  const CurrentValue* known = c.state().arrays().current_values().find(generic_slot(attribute));
+  return known != nullptr ? *known : read_attribute(c, attribute);
 }
 
 // Calls `visit` with each parameter and its attribute.
@@ -79,8 +85,7 @@ void begin_materials(Context& c, MaterialSet parameters) {
   CurrentValues& values = c.state().arrays().current_values();
   materials.carry(parameters);
   for_each_attribute(c, parameters, [&](int parameter, GLuint attribute) {
-    const CurrentValue* known = values.find(generic_slot(attribute));
-    materials.displaced(parameter) = known != nullptr ? *known : value_of_attribute(c, attribute);
+    materials.displaced(parameter) = value_of_attribute(c, attribute);
     values.set(generic_slot(attribute), materials.displaced(parameter));
     std::array<GLfloat, 4> components{0, 0, 0, 1};
     c.gl().GetMaterialfv(face_of(parameter), name_of(parameter), components.data());
@@ -117,17 +122,32 @@ void record_material(Context& c, const MaterialChange& change) {
     return;
   }
   if (before_vertices && replaces_fixed_function(c)) {
-    lists.effects().materials.carried |= change.parameters();
+    SegmentMaterials& materials = lists.effects().materials;
+    materials.carried |= change.parameters();
+    materials.attributes = material_attributes(materials.carried, c.ark());
   }
   carry_change(c, change, change.parameters() & lists.effects().materials.carried);
 }
 
-// The list gives the attributes back as it found them.
+// Without refinement, the list gives the attributes the values that they have now, or that it sets itself. A refined draw
+// gives them back as it found them.
 void record_materials_end(Context& c) {
-  for_each_attribute(c, c.state().lists().effects().materials.carried, [&](int, GLuint attribute) {
-    const CurrentValue value = value_of_attribute(c, attribute);
+  const SegmentEffects& effects = c.state().lists().effects();
+  for_each_attribute(c, effects.materials.carried, [&](int, GLuint attribute) {
+    const CurrentValue* own = effects.find(generic_slot(attribute));
+    const CurrentValue value = own != nullptr ? *own : read_attribute(c, attribute);
     value.again(c.gl(), attribute, value.components.data());
   });
+}
+
+std::vector<CurrentValue> values_under_materials(Context& c, const SegmentEffects& effects) {
+  std::vector<CurrentValue> values;
+  for_each_attribute(c, effects.materials.carried, [&](int, GLuint attribute) {
+    if (effects.find(generic_slot(attribute)) == nullptr) {
+      values.push_back(value_of_attribute(c, attribute));
+    }
+  });
+  return values;
 }
 
 }  // namespace track

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Runs the segments of a display list when it is called. A draw need not be executed if its capture is kept.
+#include <vector>
+
 #include "glark/core/track/lists/lists.h"
 #include "glark/core/track/track.h"
 
@@ -12,6 +14,9 @@ namespace {
 bool materials_unknown(Context& c, const SegmentMaterials& materials) {
   if (!materials.set) {
     return false;
+  }
+  if (materials.attributes != material_attributes(materials.carried, c.ark())) {
+    return true;  // the extension's attributes have moved since
   }
   c.state().refresh();
   return !replaces_fixed_function(c) || (materials.inherited() && c.gl().IsEnabled(GL_LIGHTING) != GL_FALSE);
@@ -80,6 +85,7 @@ void run_draw(Context& c, const ListSegment& segment, std::uint64_t triangles) {
                       .list_segment = segment.identity,
                       .segment = watched ? &segment : nullptr,
                       .issue = issue};
+  const std::vector<CurrentValue> displaced = values_under_materials(c, segment.effects);
   materials_unknown(c, segment.effects.materials) ? leave(c, call, Cause::materials_vary) : refine(c, call);
   if (!watched) {
     c.state().arrays().forget_current_values();
@@ -88,6 +94,9 @@ void run_draw(Context& c, const ListSegment& segment, std::uint64_t triangles) {
     for (const SegmentEffects::Value& last : segment.effects.values) {
       last.value.again(c.gl(), last.value.index, last.value.components.data());
     }
+  }
+  for (const CurrentValue& value : displaced) {
+    value.again(c.gl(), value.index, value.components.data());
   }
   apply_effects(c, segment.effects);
 }
