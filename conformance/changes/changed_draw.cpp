@@ -68,6 +68,77 @@ void check_change(Test& t, const Change& change, std::size_t number, bool is_ref
   }
 }
 
+constexpr GLuint changing_list = 71;
+constexpr GLuint calling_list = 72;
+
+// The errors of a change that is compiled, and of the call: lists take some commands in no implementation.
+GLenum error_of_compiled(Test& t, const Change& change, const Combination& one) {
+  Scene scene(t, one.triangles, false);
+  gl.NewList(changing_list, GL_COMPILE);
+  change.make(t, scene);
+  gl.EndList();
+  gl.CallList(changing_list);
+  const GLenum error = gl.GetError();
+  while (gl.GetError() != GL_NO_ERROR) {
+  }
+  return error;
+}
+
+// The change is compiled into a list, which another list calls. Commands that lists do not compile are executed at once, so
+// that the unrefined draw says what is right.
+void check_compiled(Test& t, const Change& change, const Combination& one) {
+  gl.Disable(GL_ARK);
+  if (error_of_compiled(t, change, one) != GL_NO_ERROR) {
+    t.log("lists do not take the commands of this change");
+    t.expect_no_error("the list");
+    return;
+  }
+  const Path& path = paths()[one.path];
+  const std::string what = fmt::format("{}, refined {} times before", text_of(one), one.history);
+  Scene scene(t, one.triangles, path.draws_instances || change.concern == Concern::integers);
+  if (path.prepare != nullptr) path.prepare(t, scene);
+  const auto draw = [&] { path.draw(scene); };
+  const auto expect_as_plain = [&](const std::string& when) {
+    const Picture first = picture_of(draw);
+    const Picture second = picture_of(draw);
+    gl.Disable(GL_ARK);
+    const Picture plain = picture_of(draw);
+    gl.Enable(GL_ARK);
+    expect_picture(t, first, plain, when + what);
+    expect_picture(t, second, plain, "again " + when + what);
+    return plain;
+  };
+  set_refinement(one);
+  for (int i = 0; i < one.history; ++i) draw();
+  gl.NewList(changing_list, GL_COMPILE);
+  change.make(t, scene);
+  gl.EndList();
+  expect_as_plain("after the list is compiled: ");
+  gl.NewList(calling_list, GL_COMPILE);
+  gl.CallList(changing_list);
+  gl.EndList();
+  for (int i = 0; i < one.history; ++i) draw();
+  expect_as_plain("after the list that calls it is compiled: ");
+  gl.CallList(calling_list);
+  gl.Finish();  // as for a change outside of lists: lists do not compile it
+  expect_as_plain("after the call: ");
+  t.expect_no_error(what);
+}
+
+bool is_compiled(const Change& change) {
+  return change.apis.contains(Api::gl_compat) &&
+         (change.concern == Concern::state || change.concern == Concern::integers);
+}
+
+// Each change meets each path in one of four kinds of circumstances.
+void check_compiled_change(Test& t, const Change& change, std::size_t number) {
+  if (t.version() < change.version)
+    t.not_supported(fmt::format("OpenGL {}.{} is needed", change.version / 10, change.version % 10));
+  const std::vector<Combination> all = combinations_of(number, paths().size());
+  for (std::size_t i = number % 4; i < all.size(); i += 4)
+    if (paths()[all[i].path].apis.contains(t.api())) check_compiled(t, change, all[i]);
+}
+
 // "BindVertexArray" as the part of a case's name: "bind_vertex_array".
 std::string lower_case(const char* leaf) {
   std::string text;
@@ -106,6 +177,16 @@ std::vector<Case> change_cases(const char* area, const std::vector<Change>& chan
               .check = [&change, number](Test& t) { check_change(t, change, number, true); }};
     made.commands.assign(change.commands.begin(), change.commands.end());
     cases.push_back(std::move(made));
+    if (!is_compiled(change)) continue;
+    cases.push_back({.name = fmt::format("ark.change.{}.{}.compiled", area, lower_case(change.leaf)),
+                     .clauses = {"10.R.2-1", "11.R.13-1", "chapter-21-4"},
+                     .plan =
+                         "Draw, compile the change into a list, compile a list that calls it, and call that: each time "
+                         "the picture is that of the unrefined draw.",
+                     .wrong = "The change takes effect when it is compiled, or does not when the list is called.",
+                     .apis = compat_only,
+                     .is_optional = change.version != 0,
+                     .check = [&change, number](Test& t) { check_compiled_change(t, change, number); }});
   }
   return cases;
 }

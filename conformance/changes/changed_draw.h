@@ -34,7 +34,7 @@ std::vector<Change> joined(std::vector<std::vector<Change>> tables);
 // The rows of all tables that have become cases.
 const std::vector<const Change*>& all_changes();
 
-// Makes a case "ark.change.AREA.LEAF" of each change. `first`: the number of the first change, for combinations_of().
+// Makes a case "ark.change.AREA.LEAF" of each change, and "ark.change.AREA.LEAF.compiled" of those of state. `first`: the number of the first change, for combinations_of().
 std::vector<Case> change_cases(const char* area, const std::vector<Change>& changes, std::size_t first);
 
 }  // namespace glark::conformance

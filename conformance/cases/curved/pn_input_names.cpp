@@ -2,6 +2,11 @@
 // SPDX-License-Identifier: MIT
 //
 // Which input CURVED_PN_ARK takes for the position, and which for the normal (11.R.7, issue 16).
+#include <algorithm>
+#include <cctype>
+#include <string>
+#include <vector>
+
 #include "conformance/cases/cases.h"
 #include "conformance/support/surface.h"
 
@@ -11,13 +16,14 @@ namespace {
 // `position` at location 0 and `decoy` at location 7 hold the same values: only the one that is taken for the position
 // is curved.
 struct NameCase {
-  const char* leaf;
-  const char* first;         // type and name of the input at location 0
-  const char* second;        // of the decoy at location 7, declared after the first
-  const char* normal;        // type and name of the input at location 1
-  const char* other_normal;  // of a decoy at location 8; may be empty
+  std::string leaf;
+  std::string first;         // type and name of the input at location 0
+  std::string second;        // of the decoy at location 7, declared after the first
+  std::string normal;        // type and name of the normal
+  std::string other_normal;  // of a decoy at location 5; may be empty
   bool is_first_curved;
   bool is_second_curved;
+  GLuint normal_location = 8;  // or at_normal, before the second input
 };
 
 const NameCase name_cases[] = {
@@ -47,6 +53,85 @@ const NameCase name_cases[] = {
     {"normal.none", "vec4 position", "vec4 decoy", "vec3 n", "", false, false},
 };
 
+// The words of each role, the preferred ones first. Some contain others: "vertex" and "vert".
+const std::vector<std::string> position_words = {"position", "vertex", "pos", "vert", "coord"};
+const std::vector<std::string> normal_words = {"normal", "nrm", "norm"};
+
+// Names with this word, in the manners of several programs.
+std::string named_with(const std::string& word, std::size_t turn) {
+  std::string changed = word;
+  const auto upper = [](char c) { return static_cast<char>(std::toupper(static_cast<unsigned char>(c))); };
+  switch (turn % 5) {
+    case 0: return word;
+    case 1: return "a_" + word;
+    case 2: return word + "_0";
+    case 3: changed[0] = upper(changed[0]); return "in" + changed;
+    default: std::transform(changed.begin(), changed.end(), changed.begin(), upper); return changed + "3D";
+  }
+}
+
+std::string input_with(const std::string& word, std::size_t turn) {
+  return (turn % 2 == 0 ? "vec4 " : "vec3 ") + named_with(word, turn);
+}
+
+// Each pair of words, the preferred one behind the other and before it. Then names that have two words: the preferred
+// one counts, wherever it stands in the name.
+void add_position_pairs(std::vector<NameCase>& all) {
+  std::size_t turn = 0;
+  for (std::size_t i = 0; i < position_words.size(); ++i)
+    for (std::size_t j = i + 1; j < position_words.size(); ++j) {
+      const std::string& better = position_words[i];
+      const std::string& worse = position_words[j];
+      const std::string leaf = "position.pair." + better + "." + worse;
+      all.push_back({leaf, input_with(worse, turn), input_with(better, turn + 1), "vec3 normal", "", false, true});
+      all.push_back(
+          {leaf + ".first", input_with(better, turn + 2), input_with(worse, turn + 3), "vec3 normal", "", true, false});
+      for (std::size_t k = 0; k < position_words.size(); ++k) {
+        if (k == i || k == j) continue;
+        const std::string both = turn % 2 == 0 ? worse + "_" + better : better + "_" + worse;
+        all.push_back({leaf + ".with." + position_words[k], "vec4 " + position_words[k] + "_one", "vec4 " + both,
+                       "vec3 normal", "", k < i, i < k});
+        ++turn;
+      }
+      // A normal whose name has the lesser word, too, comes before the position.
+      all.push_back({leaf + ".in_normal", "vec4 decoy", input_with(better, turn), "vec3 " + worse + "_normal", "",
+                     false, true, at_normal});
+      ++turn;
+    }
+  // A normal with the same word comes behind the position.
+  for (const std::string& word : position_words)
+    for (const std::string& normal : normal_words)
+      all.push_back({"position." + word + ".before." + word + "_" + normal, input_with(word, turn++), "vec4 decoy",
+                     "vec3 " + word + "_" + normal, "", true, false});
+}
+
+void add_normal_pairs(std::vector<NameCase>& all) {
+  std::size_t turn = 0;
+  for (std::size_t i = 0; i < normal_words.size(); ++i)
+    for (std::size_t j = i + 1; j < normal_words.size(); ++j) {
+      const std::string& better = normal_words[i];
+      const std::string& worse = normal_words[j];
+      const std::string leaf = "normal.pair." + better + "." + worse;
+      for (const std::size_t step : {0U, 1U, 2U})
+        all.push_back({leaf + "." + std::to_string(step), "vec4 position", "vec4 decoy",
+                       "vec3 " + named_with(better, turn + step), "vec3 " + named_with(worse, turn + 2 * step), true,
+                       false});
+      for (std::size_t k = 0; k < normal_words.size(); ++k) {
+        if (k <= i || k == j) continue;
+        all.push_back({leaf + ".with." + normal_words[k], "vec4 position", "vec4 decoy", "vec3 " + worse + "_" + better,
+                       "vec3 " + normal_words[k] + "_one", true, false});
+      }
+      ++turn;
+    }
+}
+
+std::vector<NameCase> all_name_cases() {
+  std::vector<NameCase> all(std::begin(name_cases), std::end(name_cases));
+  add_position_pairs(all);
+  add_normal_pairs(all);
+  return all;
+}
+
 struct NamedVertex {
   Vec4 first;
   Vec4 second;
@@ -68,11 +153,10 @@ std::string as_vec4(const std::string& declaration) {
 
 GLuint named_program(Test& t, const NameCase& names) {
   const std::string other = names.other_normal;
-  std::string text =
-      "layout(location = 0) in " + std::string(names.first) + ";\nlayout(location = 7) in " + names.second + ";\n";
+  std::string text = "layout(location = 0) in " + names.first + ";\nlayout(location = 7) in " + names.second + ";\n";
   // The decoy is declared first and has the lower location, so only the order of preference can decide.
   if (!other.empty()) text += "layout(location = 5) in " + other + ";\n";
-  text += "layout(location = 8) in " + std::string(names.normal) +
+  text += "layout(location = " + std::to_string(names.normal_location) + ") in " + names.normal +
           ";\nlayout(location = 2) in vec3 weights; layout(location = 6) in float triangle;\n"
           "out vec4 first_out; out vec4 second_out; out vec3 weights_out; out float triangle_out; out vec4 colour;\n"
           "void main() { first_out = " +
@@ -101,15 +185,15 @@ void check_names(Test& t, const NameCase& names) {
   extra_attribute(5, 3, offsetof(MeshVertex, colour));
   extra_attribute(7, 4, offsetof(MeshVertex, position));
   extra_attribute(8, 3, offsetof(MeshVertex, normal));
-  if (std::string(names.first).find("ivec") == 0) {
+  if (names.first.find("ivec") == 0) {
     gl.DisableVertexAttribArray(0);
     gl.VertexAttribI4i(0, 1, 2, 3, 4);
   }
   refine_uniformly(3, GL_CURVED_PN_ARK);
   const auto vertices = capture_as<NamedVertex>(t, 4000, [] { gl.DrawArrays(GL_TRIANGLES, 0, 6); });
   t.require(vertices.size() == 2U * 64 * 3, "the mesh is refined");
-  const bool is_first_checked = std::string(names.first).find("vec2") == std::string::npos &&
-                                std::string(names.first).find("ivec") == std::string::npos;
+  const bool is_first_checked =
+      names.first.find("vec2") == std::string::npos && names.first.find("ivec") == std::string::npos;
   for (const NamedVertex& vertex : vertices) {
     const auto triangle = static_cast<std::size_t>(std::lround(vertex.triangle));
     const reference::Corners corners = corners_of(mesh, triangle);
@@ -117,24 +201,23 @@ void check_names(Test& t, const NameCase& names) {
     reference::Vector linear;
     for (std::size_t i = 0; i < 3; ++i)
       linear = linear + static_cast<double>(vertex.weights[i]) * reference::vector_of(corners[i].position);
-    if (is_first_checked &&
-        !t.expect(is_near(vertex.first, names.is_first_curved ? curved : linear),
-                  std::string(names.first) + (names.is_first_curved ? " is curved" : " is not curved")))
+    if (is_first_checked && !t.expect(is_near(vertex.first, names.is_first_curved ? curved : linear),
+                                      names.first + (names.is_first_curved ? " is curved" : " is not curved")))
       return;
     if (!t.expect(is_near(vertex.second, names.is_second_curved ? curved : linear),
-                  std::string(names.second) + (names.is_second_curved ? " is curved" : " is not curved")))
+                  names.second + (names.is_second_curved ? " is curved" : " is not curved")))
       return;
   }
 }
 
 Case name_case(const NameCase& names) {
-  const bool is_normal = std::string(names.leaf).find("normal") == 0;
+  const bool is_normal = names.leaf.starts_with("normal");
   return {
-      .name = std::string("ark.pn.names.") + names.leaf,
+      .name = "ark.pn.names." + names.leaf,
       .clauses = is_normal ? std::vector<std::string>{"11.R.7-21"} : std::vector<std::string>{"11.R.7-4", "issues-38"},
-      .plan = "A program with the inputs " + std::string(names.first) + ", " + names.second + ", " + names.normal +
-              (names.other_normal[0] != 0 ? std::string(" and ") + names.other_normal : "") +
-              "where the first two have the same values: which of them is curved?",
+      .plan = "A program with the inputs " + names.first + ", " + names.second + ", " + names.normal +
+              (names.other_normal.empty() ? "" : " and " + names.other_normal) +
+              " where the first two have the same values: which of them is curved?",
       .wrong = "Only the usual name is known; case matters; the first candidate wins over the order of preference.",
       .check = [names](Test& t) { check_names(t, names); }};
 }
@@ -185,7 +268,7 @@ void check_built_in(Test& t) {
 
 Cases pn_input_names_cases() {
   Cases cases;
-  for (const NameCase& names : name_cases) cases.push_back(name_case(names));
+  for (const NameCase& names : all_name_cases()) cases.push_back(name_case(names));
   cases.push_back({.name = "ark.pn.names.built_in",
                    .clauses = {"11.R.7-3", "11.R.7-21"},
                    .plan = "A vertex stage that reads gl_Vertex, gl_Normal, and inputs named position and normal.",
