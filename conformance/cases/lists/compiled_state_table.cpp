@@ -9,6 +9,8 @@ namespace glark::conformance {
 namespace {
 
 constexpr GLfloat state_places[] = {-0.9F, -0.8F, 0, -0.7F, -0.5F, 0.8F, 0.1F, -0.8F, 0.4F, 0.9F, 0.9F, -0.6F};
+constexpr GLfloat state_colours[] = {1,    0.2F, 0.1F, 0.1F, 1,    0.3F, 0.4F, 0.1F, 1,
+                                     0.9F, 0.9F, 0.1F, 0.1F, 0.8F, 0.9F, 0.9F, 0.2F, 0.9F};
 constexpr GLfloat red[] = {0.9F, 0.2F, 0.1F, 1};
 constexpr GLfloat blue[] = {0.1F, 0.3F, 0.9F, 1};
 constexpr GLfloat dim[] = {0.3F, 0.3F, 0.2F, 1};
@@ -34,6 +36,11 @@ void make_texture(GLubyte salt) {
 
 void use_tinted() { gl.UseProgram(tinted_program); }
 void unlit() { gl.Disable(GL_LIGHTING); }
+void coloured() {
+  unlit();
+  gl.ColorPointer(3, GL_FLOAT, 0, state_colours);
+  gl.EnableClientState(GL_COLOR_ARRAY);
+}
 void cull_none() { gl.CullFace(GL_FRONT); }
 void enable_culling() {
   gl.CullFace(GL_FRONT);
@@ -50,7 +57,7 @@ void in_depth() { gl.Enable(GL_DEPTH_TEST); }
 
 std::vector<CompiledState> enabled_states() {
   return {
-      {"enable_rasterizer_discard", [] { gl.Enable(GL_RASTERIZER_DISCARD); }},
+      {"enable_rasterizer_discard", [] { gl.Enable(GL_RASTERIZER_DISCARD); }, [] {}, false},
       {"enable_cull_face", [] { gl.Enable(GL_CULL_FACE); }, cull_none},
       {"disable_cull_face", [] { gl.Disable(GL_CULL_FACE); }, enable_culling},
       {"enable_scissor", [] { gl.Enable(GL_SCISSOR_TEST); }},
@@ -106,9 +113,12 @@ std::vector<CompiledState> raster_states() {
          gl.PolygonMode(GL_BACK, GL_FILL);
        },
        false},
-      {"shade_model", [] { gl.ShadeModel(GL_FLAT); }, [] {}, false},
-      {"provoking_vertex", [] { gl.ProvokingVertex(GL_FIRST_VERTEX_CONVENTION); }, [] { gl.ShadeModel(GL_FLAT); },
-       false},
+      {"shade_model", [] { gl.ShadeModel(GL_FLAT); }, coloured},
+      {"provoking_vertex", [] { gl.ProvokingVertex(GL_FIRST_VERTEX_CONVENTION); },
+       [] {
+         coloured();
+         gl.ShadeModel(GL_FLAT);
+       }},
       {"viewport", [] { gl.Viewport(10, 20, 60, 70); }},
       {"viewport_indexed", [] { gl.ViewportIndexedf(0, 10, 20, 60, 70); }},
       {"viewport_indexed_vector",
@@ -126,9 +136,24 @@ std::vector<CompiledState> raster_states() {
       {"depth_mask", [] { gl.DepthMask(GL_FALSE); }, in_depth, false},
       {"depth_range", [] { gl.DepthRange(1, 1); }, in_depth},
       {"stencil_func", [] { gl.StencilFunc(GL_NEVER, 1, 1); }, [] { gl.Enable(GL_STENCIL_TEST); }},
-      {"color_mask", [] { gl.ColorMask(GL_TRUE, GL_FALSE, GL_FALSE, GL_TRUE); }},
-      {"color_mask_none", [] { gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE); }},
-      {"color_mask_indexed", [] { gl.ColorMaski(0, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE); }},
+      {"color_mask",
+       [] {
+         gl.ColorMask(GL_TRUE, GL_FALSE, GL_FALSE, GL_TRUE);
+         gl.Color4fv(blue);
+       },
+       unlit, true},
+      {"color_mask_none",
+       [] {
+         gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+         gl.Color4fv(blue);
+       },
+       unlit, false},
+      {"color_mask_indexed",
+       [] {
+         gl.ColorMaski(0, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+         gl.Color4fv(blue);
+       },
+       unlit, false},
       {"blend_func", [] { gl.BlendFunc(GL_ZERO, GL_ZERO); }, [] { gl.Enable(GL_BLEND); }},
       {"alpha_func", [] { gl.AlphaFunc(GL_NEVER, 0); }, [] { gl.Enable(GL_ALPHA_TEST); }},
       {"clip_plane",

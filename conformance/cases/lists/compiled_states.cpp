@@ -5,6 +5,9 @@
 // takes effect when the list is called, and not before. An implementation that follows the commands has to know that.
 #include <fmt/core.h>
 
+#include <array>
+#include <memory>
+
 #include "conformance/cases/cases.h"
 #include "conformance/cases/lists/compiled_states.h"
 #include "conformance/support/capture.h"
@@ -43,26 +46,29 @@ constexpr StateDepths state_depths[] = {
      true},
 };
 
-// What GL drew.
+// What GL drew, on two backgrounds: what keeps Clear from clearing shows, too.
 struct Drawn {
-  Picture picture;
+  std::array<Picture, 2> pictures;
   GLuint triangles = 0;
 };
 
 // Without Viewport, which picture_of() may call: it would hide that a list has set the viewport, or has not.
 Drawn draw_state() {
   Drawn drawn;
-  gl.ClearColor(0, 0, 0, 1);
-  gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
-  drawn.triangles = count_generated(draw_state_triangles);
-  drawn.picture = read_picture(surface_size, surface_size);
+  for (const std::size_t background : {0U, 1U}) {
+    gl.ClearColor(0, background == 0 ? 0.0F : 0.3F, 0, 1);
+    gl.Clear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+    drawn.triangles = count_generated(draw_state_triangles);
+    drawn.pictures[background] = read_picture(surface_size, surface_size);
+  }
   return drawn;
 }
 
 void expect_drawn(Test& t, const Drawn& expected, int times, const std::string& what) {
   for (int again = 0; again < times; ++again) {
     const Drawn drawn = draw_state();
-    t.expect_same_picture(drawn.picture, expected.picture, what, 4, 80);
+    for (const std::size_t background : {0U, 1U})
+      t.expect_same_picture(drawn.pictures[background], expected.pictures[background], what, 4, 80);
     t.expect_equal(drawn.triangles, expected.triangles, what + ", triangles");
   }
 }
@@ -79,7 +85,7 @@ Drawn executed_at_once(Test& t, const CompiledState& state, const StateDepths& d
   Drawn drawn = draw_state();
   if (depths.is_curved) return drawn;
   gl.Disable(GL_ARK);
-  drawn.picture = draw_state().picture;
+  drawn.pictures = draw_state().pictures;
   return drawn;
 }
 
@@ -140,7 +146,7 @@ void check_shown(Test& t, const CompiledState& state) {
     state.prepare();
     draw_state();
     if (is_changed) state.change();
-    pictures[is_changed ? 1 : 0] = draw_state().picture;
+    pictures[is_changed ? 1 : 0] = draw_state().pictures[0];
   }
   t.expect(!state.shows || count_different(pictures[0], pictures[1], 8) > 300, "the state shows");
 }
