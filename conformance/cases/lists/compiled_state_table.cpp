@@ -148,12 +148,13 @@ std::vector<CompiledState> raster_states() {
          gl.Color4fv(blue);
        },
        unlit, false},
+      // Mesa 22.3 compiles it, and executes it only when the list is called.
       {"color_mask_indexed",
        [] {
          gl.ColorMaski(0, GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
          gl.Color4fv(blue);
        },
-       unlit, false},
+       unlit, false, false},
       {"blend_func", [] { gl.BlendFunc(GL_ZERO, GL_ZERO); }, [] { gl.Enable(GL_BLEND); }},
       {"alpha_func", [] { gl.AlphaFunc(GL_NEVER, 0); }, [] { gl.Enable(GL_ALPHA_TEST); }},
       {"clip_plane",

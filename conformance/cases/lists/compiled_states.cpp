@@ -168,6 +168,7 @@ Cases compiled_states_cases() {
                            for (const StateDepths& depths : state_depths)
                              for (const bool is_early : {false, true}) check_compiled(t, state, depths, is_early);
                          }});
+    if (!state.executes) continue;
     cases.push_back({.name = fmt::format("ark.list.compiled.{}.executed", state.leaf),
                      .clauses = {"10.R.2-1", "11.R.10-1", "chapter-21-4"},
                      .plan = "The same, with COMPILE_AND_EXECUTE: the draws change at once.",

@@ -15,6 +15,7 @@ struct CompiledState {
   void (*change)();
   void (*prepare)() = [] {};  // before the first draw
   bool shows = true;          // in the unrefined picture
+  bool executes = true;       // with COMPILE_AND_EXECUTE
 };
 
 const std::vector<CompiledState>& compiled_states();
