@@ -20,6 +20,7 @@ constexpr std::size_t most_kept_words = 320;  // of the key of a kept draw
 struct Commands {
   std::size_t words_each = 0;
   std::vector<std::uint32_t> words;
+  bool readable = true;  // false: GL may draw all the same
 };
 
 bool read_command(Context& c, GLintptr offset, std::span<std::uint32_t> words) {
@@ -58,7 +59,7 @@ bool is_mapped(Context& c) {
   return mapped != 0 && (access & GL_MAP_PERSISTENT_BIT) == 0;
 }
 
-// No words: GL will refuse the call, or the commands cannot be read.
+// No words: GL will refuse the call, or draws nothing, or the commands cannot be read.
 Commands read_commands(Context& c, const IndirectDraw& call) {
   c.state().refresh();
   Commands commands{.words_each = static_cast<std::size_t>(call.command_bytes) / 4, .words = {}};
@@ -82,10 +83,11 @@ Commands read_commands(Context& c, const IndirectDraw& call) {
     const GLintptr offset = reinterpret_cast<GLintptr>(call.indirect) + static_cast<GLintptr>(i) * stride;
     if (in_memory) {
       std::memcpy(words.data(), reinterpret_cast<const void*>(offset), words.size_bytes());
-    } else if (offset < 0 || offset % 4 != 0 || offset + static_cast<GLintptr>(words.size_bytes()) > size ||
-               !read_command(c, offset, words)) {
+    } else if (offset < 0 || offset % 4 != 0 || offset + static_cast<GLintptr>(words.size_bytes()) > size) {
       commands.words.clear();
       return commands;
+    } else if (!read_command(c, offset, words)) {
+      return {.words_each = commands.words_each, .words = {}, .readable = false};
     }
   }
   return commands;
@@ -115,11 +117,11 @@ void draw_indirect(Context& c, const IndirectDraw& call, Issue issue) {
       sides.insert(sides.end(), instances, vertices);
     }
   }
-  if (commands.words.empty() && c.capabilities().api != Capabilities::Api::es) {
+  if (commands.words.empty() && commands.readable) {
     track::refused(c, issue);
     return;
   }
-  if (commands.words.empty()) {
+  if (!commands.readable) {
     track::leave(c, {.mode = call.mode, .from_arrays = true, .issue = issue}, Cause::indirect_unbounded);
     return;
   }
