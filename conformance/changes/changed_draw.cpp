@@ -102,7 +102,7 @@ void check_compiled(Test& t, const Change& change, const Combination& one) {
     const Picture first = picture_of(draw);
     const Picture second = picture_of(draw);
     gl.Disable(GL_ARK);
-    const Picture plain = picture_of(draw);
+    Picture plain = picture_of(draw);
     gl.Enable(GL_ARK);
     expect_picture(t, first, plain, when + what);
     expect_picture(t, second, plain, "again " + when + what);
