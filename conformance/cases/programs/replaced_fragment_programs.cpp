@@ -171,6 +171,37 @@ void check_in_a_row(Test& t, ReplacedBy way) {
   t.expect_no_error("the draws");
 }
 
+// Ways to write the index of a texture coordinate in GLSL.
+constexpr const char* indexed_coordinates[] = {
+    "gl_FragColor = gl_TexCoord[1];",        "gl_FragColor = gl_TexCoord [ 1 ];",
+    "gl_FragColor = gl_TexCoord[0x1];",      "gl_FragColor = gl_TexCoord[01];",
+    "gl_FragColor = gl_TexCoord[2 - 1];",    "gl_FragColor = gl_TexCoord [unit];",
+    "gl_FragColor = gl_TexCoord/**/[unit];", "gl_FragColor = coordinates[1];",
+    "gl_FragColor = gl_TexCoord\n  [1];",    "gl_FragColor = gl_TexCoord[0] * 0.0 + gl_TexCoord[unit];",
+};
+
+void check_indices(Test& t) {
+  refine_uniformly(2, GL_LINEAR_OUTPUTS_ARK);
+  for (const char* const statement : indexed_coordinates) {
+    const std::string text = fmt::format(
+        "#version 120\n#define coordinates gl_TexCoord\nconst int unit = 1;\nvoid main() {{ {} }}\n", statement);
+    const char* const source = text.c_str();
+    const GLuint program = gl.CreateProgram();
+    const GLuint shader = gl.CreateShader(GL_FRAGMENT_SHADER);
+    gl.ShaderSource(shader, 1, &source, nullptr);
+    gl.CompileShader(shader);
+    gl.AttachShader(program, shader);
+    gl.LinkProgram(program);
+    gl.UseProgram(program);
+    t.expect_no_error(statement);
+    gl.Disable(GL_ARK);
+    const Picture plain = picture_of(shown_triangle);
+    gl.Enable(GL_ARK);
+    t.expect(count_different(plain, Picture(surface_size, surface_size), 8) > 1000, "something is drawn");
+    t.expect_same_picture(picture_of(shown_triangle), plain, statement, 3, 24);
+  }
+}
+
 }  // namespace
 
 Cases replaced_fragment_programs_cases() {
@@ -186,6 +217,14 @@ Cases replaced_fragment_programs_cases() {
            .apis = compat_only,
            .is_optional = true,
            .check = [way = way, in_a_row](Test& t) { in_a_row ? check_in_a_row(t, way) : check_replaced(t, way); }});
+  cases.push_back({.name = "ark.vertex_stage.fragment_program.index",
+                   .clauses = {"11.R.10-1"},
+                   .plan =
+                       "Read one texture coordinate of fixed-function vertices by an index that is written in several "
+                       "ways, and compare with the unrefined picture.",
+                   .wrong = "The coordinate is 0.",
+                   .apis = compat_only,
+                   .check = check_indices});
   return cases;
 }
 

@@ -64,21 +64,38 @@ bool point_size_attenuates(const gl::Dispatch& gl) {
 
 }  // namespace
 
+namespace {
+
+// The units that an index names, at the begin of `text`: all of them unless the index is a literal digit. In assembly, no
+// index stands for unit 0.
+unsigned units_of_index(std::string_view text, bool is_assembly) {
+  constexpr unsigned all = (1U << fixed_function_texture_units) - 1U;
+  const auto next = [&text] {
+    text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+    const char letter = text.empty() ? '\0' : text.front();
+    text.remove_prefix(text.empty() ? 0 : 1);
+    return letter;
+  };
+  if (next() != '[') {
+    return is_assembly ? 1U : all;
+  }
+  const char digit = next();
+  const bool is_literal = digit >= '0' && digit < '0' + fixed_function_texture_units && next() == ']';
+  return is_literal ? 1U << (digit - '0') : all;
+}
+
+}  // namespace
+
 FragmentReads fragment_reads(const std::string& source) {
   std::string lower(source);
   std::transform(lower.begin(), lower.end(), lower.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   constexpr std::string_view word = "texcoord";
+  const bool is_assembly = lower.find("!!arbfp") != std::string::npos;
   FragmentReads reads{true, 0};
   for (std::size_t at = lower.find(word); at != std::string::npos; at = lower.find(word, at)) {
     at += word.size();
-    std::size_t next = lower.find_first_not_of(" \t\n[", at);
-    const bool digit = next != std::string::npos && std::isdigit(static_cast<unsigned char>(lower[next])) != 0;
-    if (digit) {
-      reads.texture_units |= 1U << (lower[next] - '0');
-    } else {
-      reads.texture_units |= lower.find('[', at) == at ? (1U << fixed_function_texture_units) - 1U : 1U;
-    }
+    reads.texture_units |= units_of_index(std::string_view(lower).substr(at), is_assembly);
   }
   return reads;
 }
