@@ -279,8 +279,7 @@ constexpr UnrefinedBetween unrefined_between[] = {
 struct BetweenDepth {
   const char* name;
   void (*refine)();
-  // Of the refined draw; 0: any number.
-  GLuint triangles;
+  GLuint triangles;  // the number of triangles of the refined draw; 0: any number, the same each time
 };
 constexpr BetweenDepth between_depths[] = {
     {"a uniform depth", [] { refine_uniformly(2); }, 2 * 16},

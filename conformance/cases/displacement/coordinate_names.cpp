@@ -18,7 +18,8 @@ constexpr float height = 0.5F;
 // The preferred words first. "texcoord" and "texture" contain "tex".
 const std::vector<std::string> coordinate_words = {"texcoord", "texture", "tex", "uv"};
 
-// Of two inputs, the later one has coordinates where the height is not 0.
+// The names of two inputs. The first holds coordinates of a place where the height map is 0, the later one of a place where it
+// is not: the picture shows which of them is taken for the texture coordinates.
 struct CoordinateNames {
   std::string leaf;
   std::string first;

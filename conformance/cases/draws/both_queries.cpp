@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Both queries of primitives at once, around both_draws whose number of triangles only GL knows, and around others.
+// Both queries of primitives at once, around draws whose number of triangles only GL knows, and around others.
 #include <fmt/core.h>
 
 #include <array>
@@ -112,7 +112,7 @@ void check_both(Test& t, bool written_first, bool has_feedback) {
         t.expect_equal(counts.generated, each * (first.triangles + 2 * second.triangles), what + ": generated");
         t.expect_equal(counts.written, has_feedback ? each * first.triangles : 0, what + ": written");
       }
-  t.expect_no_error("the both_draws");
+  t.expect_no_error("the draws");
 }
 
 }  // namespace
@@ -126,7 +126,7 @@ Cases both_queries_cases() {
                fmt::format("ark.after_vertex.both_queries.{}.{}", written_first ? "written_first" : "generated_first",
                            has_feedback ? "feedback" : "drawn"),
            .clauses = {"chapter-14-8", "chapter-14-9"},
-           .plan = "Count two kinds of both_draws in a row with PRIMITIVES_GENERATED and "
+           .plan = "Count two kinds of draws in a row with PRIMITIVES_GENERATED and "
                    "TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN "
                    "at once.",
            .wrong = "A draw stays unrefined, because one query is needed to count its triangles; or a count is lost.",

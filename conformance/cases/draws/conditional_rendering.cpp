@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Refined draws within conditional rendering. A draw_hidden that it discards leaves nothing behind: neither counts of queries,
+// Refined draws within conditional rendering. A draw that it discards leaves nothing behind: neither counts of queries,
 // nor anything that changes later draws.
 #include <fmt/core.h>
 
@@ -140,7 +140,7 @@ void check_one_query(Test& t, const Condition& condition, HiddenWay way) {
   t.expect_no_error("the draws");
 }
 
-// The first draw_hidden of a context, and the first after parameters change, are hidden.
+// The first draw of a context, and the first after parameters change, are hidden.
 void check_first_hidden(Test& t, const Condition& condition, HiddenWay way) {
   const SampleQueries queries = set_up_condition(t, condition, way);
   const GLuint hidden = condition.is_inverted ? queries.some : queries.none;
@@ -195,7 +195,7 @@ const char* leaf_of_hidden(HiddenWay way) {
 
 Cases conditional_rendering_cases() {
   Cases cases;
-  const char* const wrong = "A hidden draw_hidden is counted, or what it left out is missing in later draws.";
+  const char* const wrong = "A hidden draw is counted, or what it left out is missing in later draws.";
   const auto add = [&](const std::string& name, const char* plan, HiddenWay way, const Condition& condition,
                        void (*check)(Test&, const Condition&, HiddenWay)) {
     cases.push_back({.name = fmt::format("ark.draw.conditional.{}.{}", leaf_of_hidden(way), name),
@@ -211,7 +211,7 @@ Cases conditional_rendering_cases() {
       add(condition.leaf, "Draw with each source of depths, hidden and shown in turn; compare pictures and counts.",
           way, condition, check_condition);
     add("one_query", "One query counts hidden, shown and unconditional draws.", way, conditions[0], check_one_query);
-    add("first", "Hide the first measured draw_hidden after each change of the measure.", way, conditions[0],
+    add("first", "Hide the first measured draw after each change of the measure.", way, conditions[0],
         check_first_hidden);
   }
   cases.push_back({.name = "ark.draw.conditional.refused",

@@ -68,7 +68,7 @@ constexpr VertexCommand vertex_commands[] = {
     {"EvalPoint2", [] { gl.EvalPoint2(3, 1); }, set_map2<GL_MAP2_VERTEX_3>},
 };
 
-constexpr std::size_t array_commands = 2;  // the first vertex_commands
+constexpr std::size_t array_commands = 2;  // they come first in vertex_commands
 
 struct CountedMode {
   const char* leaf;
@@ -123,7 +123,7 @@ void check_uncertain(Test& t, const CountedMode& mode, const VertexCommand& comm
       GLuint plain_count = 0;
       const Picture expected = picture_of([&] { plain_count = count_generated(draw); });
       gl.Enable(GL_ARK);
-      // Mesa 22 loses the first vertex of a strip in a list.
+      // Mesa 22 loses a triangle of a strip in a list whose colour is first set after its first vertex.
       const GLuint triangles = mode.mode == GL_TRIANGLE_STRIP ? plain_count : mode.triangles(gives_vertex ? 9 : 8);
       for (int again = 0; again < 2; ++again) {
         const Picture refined = picture_of([&] { refined_count = count_generated(draw); });

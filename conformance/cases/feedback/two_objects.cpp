@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Several transform feedback feedback_objects, each of which captures while the others are paused.
+// Several transform feedback objects, each of which captures while the others are paused.
 #include <fmt/core.h>
 
 #include <array>
 #include <cstring>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "conformance/cases/cases.h"
@@ -67,78 +68,17 @@ std::string text_of_triangles(const std::vector<int>& triangles) {
   return text + fmt::format("({} triangles)", triangles.size() * object_refined);
 }
 
-// A step on an object. Names are those of GL's commands.
-enum class ObjectCall { begin, draw, pause, resume, end };
-struct ObjectStep {
-  std::size_t object;
-  ObjectCall what;
-};
-
+// Steps, each a letter and the number of an object: b begins its feedback, d draws, p pauses, r resumes, e ends it.
 struct ObjectOrder {
   const char* leaf;
-  std::vector<ObjectStep> steps;
+  std::string_view steps;
 };
-
-const std::vector<ObjectOrder>& object_orders() {
-  static const std::vector<ObjectOrder> all = {
-      {"second_ends_first",
-       {{0, ObjectCall::begin},
-        {0, ObjectCall::draw},
-        {0, ObjectCall::pause},
-        {1, ObjectCall::begin},
-        {1, ObjectCall::draw},
-        {1, ObjectCall::end},
-        {0, ObjectCall::resume},
-        {0, ObjectCall::draw},
-        {0, ObjectCall::end}}},
-      {"interleaved",
-       {{0, ObjectCall::begin},
-        {0, ObjectCall::draw},
-        {0, ObjectCall::pause},
-        {1, ObjectCall::begin},
-        {1, ObjectCall::draw},
-        {1, ObjectCall::pause},
-        {0, ObjectCall::resume},
-        {0, ObjectCall::draw},
-        {0, ObjectCall::end},
-        {1, ObjectCall::resume},
-        {1, ObjectCall::draw},
-        {1, ObjectCall::end}}},
-      {"nothing_before_pause",
-       {{0, ObjectCall::begin},
-        {0, ObjectCall::pause},
-        {1, ObjectCall::begin},
-        {1, ObjectCall::pause},
-        {0, ObjectCall::resume},
-        {0, ObjectCall::draw},
-        {0, ObjectCall::pause},
-        {1, ObjectCall::resume},
-        {1, ObjectCall::draw},
-        {1, ObjectCall::end},
-        {0, ObjectCall::end}}},
-      {"three",
-       {{0, ObjectCall::begin},
-        {0, ObjectCall::draw},
-        {0, ObjectCall::pause},
-        {1, ObjectCall::begin},
-        {1, ObjectCall::draw},
-        {1, ObjectCall::pause},
-        {2, ObjectCall::begin},
-        {2, ObjectCall::draw},
-        {2, ObjectCall::end},
-        {1, ObjectCall::resume},
-        {1, ObjectCall::draw},
-        {1, ObjectCall::pause},
-        {0, ObjectCall::resume},
-        {0, ObjectCall::draw},
-        {0, ObjectCall::end},
-        {1, ObjectCall::end},
-        {2, ObjectCall::begin},
-        {2, ObjectCall::draw},
-        {2, ObjectCall::end}}},
-  };
-  return all;
-}
+constexpr ObjectOrder object_orders[] = {
+    {"second_ends_first", "b0 d0 p0 b1 d1 e1 r0 d0 e0"},
+    {"interleaved", "b0 d0 p0 b1 d1 p1 r0 d0 e0 r1 d1 e1"},
+    {"nothing_before_pause", "b0 p0 b1 p1 r0 d0 p0 r1 d1 e1 e0"},
+    {"three", "b0 d0 p0 b1 d1 p1 b2 d2 e2 r1 d1 p1 r0 d0 e0 e1 b2 d2 e2"},
+};
 
 // `is_aside`: while the feedback is paused, something else is drawn that nobody captures.
 void check_order(Test& t, const ObjectOrder& order, bool is_aside) {
@@ -154,31 +94,31 @@ void check_order(Test& t, const ObjectOrder& order, bool is_aside) {
   int next = 0;
   const auto draw = [](int triangle) { gl.DrawArrays(GL_TRIANGLES, 3 * triangle, 3); };
   std::size_t bound = feedback_objects;
-  for (const ObjectStep& step : order.steps) {
-    if (bound != step.object) gl.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, captures.names[step.object]);
-    bound = step.object;
-    switch (step.what) {
-      case ObjectCall::begin:
-        expected[step.object].clear();
-        gl.BeginTransformFeedback(GL_TRIANGLES);
-        break;
-      case ObjectCall::draw:
-        expected[step.object].push_back(next);
-        draw(next++);
-        break;
-      case ObjectCall::pause:
-        gl.PauseTransformFeedback();
-        if (is_aside) draw(19);
-        break;
-      case ObjectCall::resume: gl.ResumeTransformFeedback(); break;
-      case ObjectCall::end: gl.EndTransformFeedback(); break;
+  for (std::size_t at = 0; at < order.steps.size(); at += 3) {
+    const char step = order.steps[at];
+    const auto object = static_cast<std::size_t>(order.steps[at + 1] - '0');
+    if (bound != object) gl.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, captures.names[object]);
+    bound = object;
+    if (step == 'b') {
+      expected[object].clear();
+      gl.BeginTransformFeedback(GL_TRIANGLES);
     }
-    t.expect_no_error(fmt::format("step {} of object {}", static_cast<int>(step.what), step.object));
+    if (step == 'd') {
+      expected[object].push_back(next);
+      draw(next++);
+    }
+    if (step == 'p') {
+      gl.PauseTransformFeedback();
+      if (is_aside) draw(19);
+    }
+    if (step == 'r') gl.ResumeTransformFeedback();
+    if (step == 'e') gl.EndTransformFeedback();
+    t.expect_no_error("step " + std::string(order.steps.substr(at, 2)));
     GLint state[2] = {};
     gl.GetIntegerv(GL_TRANSFORM_FEEDBACK_ACTIVE, &state[0]);
     gl.GetIntegerv(GL_TRANSFORM_FEEDBACK_PAUSED, &state[1]);
-    t.expect_equal(state[0] != 0, step.what != ObjectCall::end, "the object is active");
-    t.expect_equal(state[1] != 0, step.what == ObjectCall::pause, "the object is paused");
+    t.expect_equal(state[0] != 0, step != 'e', "the object is active");
+    t.expect_equal(state[1] != 0, step == 'p', "the object is paused");
   }
   gl.BindTransformFeedback(GL_TRANSFORM_FEEDBACK, 0);
   for (std::size_t i = 0; i < feedback_objects; ++i)
@@ -189,11 +129,11 @@ void check_order(Test& t, const ObjectOrder& order, bool is_aside) {
 
 Cases two_objects_cases() {
   Cases cases;
-  for (const ObjectOrder& order : object_orders())
+  for (const ObjectOrder& order : object_orders)
     for (const bool is_aside : {false, true})
       cases.push_back({.name = fmt::format("ark.after_vertex.objects.{}.{}", order.leaf, is_aside ? "aside" : "alone"),
                        .clauses = {"chapter-14-5", "10.R.2-13"},
-                       .plan = "Feedback feedback_objects take turns; each captures its refined triangles.",
+                       .plan = "Feedback objects take turns; each captures its refined triangles.",
                        .wrong = "ResumeTransformFeedback is refused, or one object captures the triangles of another.",
                        .check = [&order, is_aside](Test& t) { check_order(t, order, is_aside); }});
   return cases;

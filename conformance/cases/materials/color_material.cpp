@@ -70,7 +70,7 @@ void set_lights() {
   gl.Normal3f(0, 0, 1);
 }
 
-// Some of the vertices.
+// A range of coloured_vertices, which one draw takes.
 using ColouredPart = std::span<const ColouredVertex>;
 constexpr ColouredPart all_coloured(coloured_vertices);
 

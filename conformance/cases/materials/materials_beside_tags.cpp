@@ -112,7 +112,7 @@ void draw_expected_materials(const Changing& changing) {
   }
 }
 
-// The current values of all generic attributes, but that of the tags, which the draw sets.
+// The current values of all generic attributes, except for the attribute of the tags, which the draw sets.
 std::vector<float> other_values(GLuint tag) {
   std::vector<float> all;
   for (GLuint i = 1; i < attributes; ++i) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// Fixed-function vertices with a fragment program that another one replaces, which reads other outputs of the shown_vertex stage.
+// Fixed-function vertices with a fragment program that another one replaces, which reads other outputs of the vertex stage.
 #include <fmt/core.h>
 
 #include <array>

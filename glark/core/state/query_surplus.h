@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// What the results of the application's queries have too much: triangles of our captures. It is negative for a query that
-// had to begin again.
+// By how much the results of the application's queries are too high, because they have counted our captures. The number is
+// negative for a query that had to begin again, and so has lost what it had counted before.
 #pragma once
 
 #include <cstdint>

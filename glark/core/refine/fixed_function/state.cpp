@@ -66,8 +66,8 @@ bool point_size_attenuates(const gl::Dispatch& gl) {
 
 namespace {
 
-// The units that an index names, at the begin of `text`: all of them unless the index is a literal digit. In assembly, no
-// index stands for unit 0.
+// `text` begins behind the name of the texture coordinates. Returns the units that the index there may name: one unit if
+// it is a single digit, otherwise all. In assembly, a missing index means unit 0.
 unsigned units_of_index(std::string_view text, bool is_assembly) {
   constexpr unsigned all = (1U << fixed_function_texture_units) - 1U;
   const auto next = [&text] {

@@ -73,11 +73,18 @@ void restart_capture(Context& c, const MaterialChange& change) {
 
 namespace track {
 
-VertexSources vertex_sources(Context& c) {
+namespace {
+
+bool elements_give_vertices(Context& c) {
   c.state().refresh();
   ArrayState& arrays = c.state().arrays();
-  VertexSources sources{.elements = arrays.attribute_source(vertex_slot).enabled ||
-                                    arrays.attribute_source(generic_slot(0)).enabled};
+  return arrays.attribute_source(vertex_slot).enabled || arrays.attribute_source(generic_slot(0)).enabled;
+}
+
+}  // namespace
+
+VertexSources vertex_sources(Context& c) {
+  VertexSources sources{.elements = elements_give_vertices(c)};
   if (c.share().maps_vertices) {
     const auto enabled = [&c](GLenum map) { return c.gl().IsEnabled(map) != GL_FALSE; };
     sources.map1 = enabled(GL_MAP1_VERTEX_3) || enabled(GL_MAP1_VERTEX_4);
@@ -96,7 +103,7 @@ bool gives_vertex(Context& c, VertexSource source) {
     return true;
   }
   const bool may_ask = lists.cutting() || !lists.executes_too();
-  return !may_ask || vertex_sources(c).elements;
+  return !may_ask || elements_give_vertices(c);
 }
 
 void immediate_full(Context& c) {
