@@ -325,12 +325,12 @@ depth::BinnedInstances RefinedDraw::sort(const DrawPlan& plan, const Records& re
   return sorted;
 }
 
-std::uint64_t RefinedDraw::begin_immediate(GLenum mode, MaterialSet materials) {
+std::uint64_t RefinedDraw::begin_immediate(GLenum mode, MaterialSet materials, std::uint64_t least) {
   ++statistics().draws_seen;
   const Quiet quiet = env_.state.quiet();
   env_.state.conditional_rendering().lift(env_.gl);  // until end_immediate()
   std::optional<Cause> cause;
-  const std::uint64_t room = immediate_.begin(mode, materials, cause);
+  const std::uint64_t room = immediate_.begin(mode, materials, least, cause);
   if (cause) {
     env_.state.conditional_rendering().apply(env_.gl);
     pass_planned({}, *cause, 0);

@@ -49,8 +49,9 @@ class RefinedDraw {
 
   // Draws refined or unrefined, and counts the draw.
   void run(const DrawCall& call);
-  // glBegin in a triangle mode. Returns how many triangles fit until glEnd; 0 means that the caller begins unrefined.
-  std::uint64_t begin_immediate(GLenum mode, MaterialSet materials);
+  // glBegin in a triangle mode. Returns how many triangles fit until glEnd, at least `least`; 0 means that the caller
+  // begins unrefined.
+  std::uint64_t begin_immediate(GLenum mode, MaterialSet materials, std::uint64_t least);
   void end_immediate(std::uint64_t triangles);
   // glEnd of a draw that began unrefined.
   void end_unrefined(std::uint64_t triangles);

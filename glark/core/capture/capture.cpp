@@ -114,7 +114,7 @@ void CaptureStage::begin(GLuint program, const core::Bindings& bindings, Count c
     gl_.Enable(GL_RASTERIZER_DISCARD);
   }
   if (current_.count != Count::known) {
-    current_.query = bindings.queries.written == 0 ? 0 : 1;
+    current_.query = bindings.queries.written() == 0 ? 0 : 1;
     gl_.BeginQuery(query_targets[current_.query], queries_[current_.query]);
   }
   gl_.BeginTransformFeedback(primitive);

@@ -37,7 +37,7 @@ void switch_clip_distances(unsigned distances, Switch switch_one) {
 
 void add_surplus(core::GlState& state, std::int64_t triangles) {
   const core::Bindings& b = state.bindings();
-  for (const GLuint query : {b.queries.generated, b.queries.written}) {
+  for (const GLuint query : {b.queries.generated(), b.queries.written()}) {
     if (query != 0) {
       state.query_surplus().add(query, triangles);
     }
@@ -46,10 +46,10 @@ void add_surplus(core::GlState& state, std::int64_t triangles) {
 
 // Counting our own triangles takes the target of one of the two queries that the application may have open.
 void DrawCapture::stop_query(Count count) {
-  core::PrimitiveQueries& queries = env_.state.bindings().queries;
-  if (count != Count::known && queries.written != 0 && queries.generated != 0) {
+  core::ActiveQueries& queries = env_.state.bindings().queries;
+  if (count != Count::known && queries.written() != 0 && queries.generated() != 0) {
     env_.gl.EndQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN);
-    stopped_query_ = std::exchange(queries.written, 0);
+    stopped_query_ = queries.stop_written();
   }
 }
 
@@ -58,11 +58,11 @@ void DrawCapture::resume_query() {
   if (stopped_query_ == 0) {
     return;
   }
-  core::PrimitiveQueries& queries = env_.state.bindings().queries;
+  core::ActiveQueries& queries = env_.state.bindings().queries;
   const std::uint64_t counted = query_result(env_.gl, stopped_query_, env_.bindings());
   env_.state.query_surplus().add(stopped_query_, -static_cast<std::int64_t>(counted));
   env_.gl.BeginQuery(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, stopped_query_);
-  queries.written = std::exchange(stopped_query_, 0);
+  queries.resume_written(std::exchange(stopped_query_, 0));
 }
 
 DrawCapture::DrawCapture(const core::Environment& environment)
@@ -128,7 +128,7 @@ CoarseTriangles DrawCapture::end(const CapturePlan& plan, std::uint64_t triangle
   }
   // The application's queries have counted the capture, too. The count is read back only here, and only if GL alone
   // knows it.
-  if (b.queries.generated != 0 || b.queries.written != 0) {
+  if (b.queries.generated() != 0 || b.queries.written() != 0) {
     add_surplus(env_.state, static_cast<std::int64_t>(exact ? triangles : stage_.counted(b)));
   }
   resume_query();

@@ -119,7 +119,7 @@ BinnedInstances InstanceSorter::sort_in_bins(const SortRequest& request, const M
   }
   const BinnedInstances sorted = bins_.sort(bins, request.count_command->name(), b);
   // The application's queries have counted the instances that were put in order.
-  const bool queried = b.queries.generated != 0 || b.queries.written != 0;
+  const bool queried = b.queries.generated() != 0 || b.queries.written() != 0;
   const std::uint64_t moved = queried ? bins_.instances_of_last() : 0;
   capture::add_surplus(env_.state, static_cast<std::int64_t>(moved));
   return sorted;

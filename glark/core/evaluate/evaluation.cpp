@@ -59,7 +59,7 @@ std::optional<core::RefinedVerticesKey> Evaluation::key_of(const core::DrawPlan&
 // The application's queries would count the evaluation, and its own transform feedback has a mode that ours changes.
 bool Evaluation::may_evaluate() const {
   const core::Bindings& b = env_.bindings();
-  return !b.transform_feedback.active && b.queries.active == 0 && b.queries.generated == 0 && b.queries.written == 0;
+  return !b.transform_feedback.active && !b.queries.primitives();
 }
 
 const core::RefinedVertices* Evaluation::find(const core::DrawPlan& plan, const core::KeptDraw& kept) {

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <string_view>
+#include <memory>
+#include <mutex>
 #include <vector>
 
 #include "glark/core/capture/layout.h"
@@ -33,28 +34,24 @@ std::vector<std::uint64_t> strides_of_buffers(const gl::Dispatch& gl, GLuint pro
 }
 
 // The least number of bytes that a vertex takes in each buffer.
-std::vector<std::uint64_t> feedback_strides(const gl::Dispatch& gl, const Capabilities& capabilities, GLuint program) {
+std::vector<std::uint64_t> feedback_strides(const gl::Dispatch& gl, const Capabilities& capabilities,
+                                            const Program& program) {
   if (capabilities.api != Capabilities::Api::es && capabilities.version >= 44) {
-    if (std::vector<std::uint64_t> found = strides_of_buffers(gl, program); !found.empty()) {
+    if (std::vector<std::uint64_t> found = strides_of_buffers(gl, program.name); !found.empty()) {
       return found;
     }
   }
-  GLint count = 0;
-  GLint mode = GL_INTERLEAVED_ATTRIBS;
-  gl.GetProgramiv(program, GL_TRANSFORM_FEEDBACK_VARYINGS, &count);
-  gl.GetProgramiv(program, GL_TRANSFORM_FEEDBACK_BUFFER_MODE, &mode);
+  const LinkSettings& settings = program.link_settings;
   std::vector<std::uint64_t> strides(1, 0);
-  for (GLint i = 0; i < count; ++i) {
-    std::array<char, 64> name{};
-    GLsizei size = 0;
-    GLenum type = 0;
-    gl.GetTransformFeedbackVarying(program, static_cast<GLuint>(i), static_cast<GLsizei>(name.size()), nullptr, &size,
-                                   &type, name.data());
-    const bool next = std::string_view(name.data()) == "gl_NextBuffer";
-    if (next || (mode == GL_SEPARATE_ATTRIBS && i > 0)) {
+  bool first = true;
+  for (const FeedbackVarying& varying : settings.feedback_varyings) {
+    const bool next = varying.name == "gl_NextBuffer";
+    if (next || (settings.feedback_mode == GL_SEPARATE_ATTRIBS && !first)) {
       strides.push_back(0);
     }
-    strides.back() += next ? 0 : 4 * static_cast<std::uint64_t>(std::max(1, capture::words_of(type) * size));
+    const int words = capture::words_of(varying.type) * varying.size;
+    strides.back() += next ? 0 : 4 * static_cast<std::uint64_t>(std::max(1, words));
+    first = false;
   }
   return strides;
 }
@@ -91,10 +88,12 @@ GLuint FeedbackRoom::capturing_program() const {
 void FeedbackRoom::note() {
   const Quiet quiet = env_.state.quiet();
   ErrorScope errors(env_.errors);
-  const GLuint program = capturing_program();
+  const GLuint name = capturing_program();
+  const std::shared_ptr<Program> program = name != 0 ? env_.state.programs().known(name) : nullptr;
   std::uint64_t vertices = 0;
-  if (program != 0) {
-    const std::vector<std::uint64_t> strides = feedback_strides(env_.gl, env_.capabilities, program);
+  if (program != nullptr) {
+    const std::lock_guard lock(program->mutex);
+    const std::vector<std::uint64_t> strides = feedback_strides(env_.gl, env_.capabilities, *program);
     for (std::size_t i = 0; i < strides.size(); ++i) {
       if (strides[i] > 0) {
         vertices = std::max(vertices, bytes_bound(env_.gl, static_cast<GLuint>(i)) / strides[i]);

@@ -27,7 +27,15 @@ std::uint64_t ImmediateCapture::room() const {
   return bytes_ / static_cast<std::uint64_t>(plan_.capture.layout->triangle_words() * 4);
 }
 
-std::uint64_t ImmediateCapture::begin(GLenum mode, MaterialSet materials, std::optional<Cause>& cause) {
+bool ImmediateCapture::make_room(std::uint64_t triangles) {
+  while (room() < triangles && bytes_ < most_bytes) {
+    bytes_ = std::min(2 * bytes_, most_bytes);
+  }
+  return room() >= triangles;
+}
+
+std::uint64_t ImmediateCapture::begin(GLenum mode, MaterialSet materials, std::uint64_t least,
+                                      std::optional<Cause>& cause) {
   const auto nothing = [] {};
   const bool tags_vary = !env_.options.transparent && env_.ark.depth_source == DepthSource::tag;
   const DrawCall call{
@@ -39,6 +47,9 @@ std::uint64_t ImmediateCapture::begin(GLenum mode, MaterialSet materials, std::o
   exact_ = !env_.bindings().primitive_restart && !env_.state.immediate().elements_restart();
   if (cause == Cause::mesh_waits) {
     compile_ahead(meshes_, passes_, call, plan_, first_room);
+  }
+  if (!cause && !make_room(least)) {
+    cause = Cause::out_of_memory;
   }
   if (!cause) {
     const std::uint64_t counted_later = is_divisible(plan_, exact_) ? std::min(first_room, room()) : room();

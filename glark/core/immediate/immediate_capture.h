@@ -22,8 +22,9 @@ class ImmediateCapture {
                    capture::DrawCapture& capture)
       : env_(environment), planner_(planner), meshes_(meshes), passes_(passes), capture_(capture) {}
 
-  // Begins the capture and returns how many triangles fit. 0: the draw stays unrefined, because of `cause`.
-  std::uint64_t begin(GLenum mode, MaterialSet materials, std::optional<Cause>& cause);
+  // Begins a capture for at least `least` triangles and returns how many fit. 0: the draw stays unrefined, because of
+  // `cause`.
+  std::uint64_t begin(GLenum mode, MaterialSet materials, std::uint64_t least, std::optional<Cause>& cause);
 
   struct Captured {
     DrawPlan plan;
@@ -37,6 +38,7 @@ class ImmediateCapture {
 
  private:
   std::uint64_t room() const;
+  bool make_room(std::uint64_t triangles);
   std::uint64_t limited(std::uint64_t triangles);
 
   const Environment& env_;

@@ -171,7 +171,7 @@ KeptDraw KeptDraws::find(const DrawCall& call, const KeyFacts& facts) {
     return {entry, true};
   }
   // Keeping a capture reads its size from a query that the application has open at the moment.
-  if (answer == DrawCache::Answer::fresh || env_.bindings().queries.written != 0) {
+  if (answer == DrawCache::Answer::fresh || env_.bindings().queries.written() != 0) {
     return {};
   }
   ErrorScope errors(env_.errors);

@@ -68,7 +68,7 @@ bool RepeatedDraws::may_repeat(const DrawCall& call) const {
   const bool plain = call.exact && (call.arrays != nullptr || call.segment != nullptr) && call.commands.empty() &&
                      call.materials == 0 && call.polygon_sides == nullptr;
   const bool counted =
-      b.transform_feedback.active || (options.transparent && b.queries.active > 0) || options.read_counts;
+      b.transform_feedback.active || (options.transparent && b.queries.primitives()) || options.read_counts;
   const bool chosen = options.live.watches_draws() || !options.rules.empty();
   const bool program_known = b.program != 0 ? env_.state.programs().current() != nullptr : b.pipeline == 0;
   return plain && !counted && !chosen && program_known && !b.rasterizer_discard && !env_.state.immediate().open();

@@ -26,12 +26,15 @@ constexpr char fragment_source[] = R"(#version 430
 in float value;
 layout(std430, binding = 0) buffer Result { float middle; };
 void main() {
-  middle = value;
+  if (all(lessThan(gl_FragCoord.xy, vec2(1.0)))) {
+    middle = value;
+  }
   discard;
 }
 )";
 
-// In the order of their numbers in `mode`. Returns x and y of each vertex.
+// In the order of their numbers in `mode`. Returns x and y of each vertex. Of 3 x 3 pixels, the quad covers all samples of
+// the one in the middle.
 constexpr std::array<float, 8> corners_of(GLenum mode) {
   return mode == GL_QUADS ? std::array<float, 8>{-.5F, -.5F, .5F, -.5F, .5F, .5F, -.5F, .5F}
                           : std::array<float, 8>{-.5F, -.5F, .5F, -.5F, -.5F, .5F, .5F, .5F};
@@ -74,20 +77,59 @@ void draw_arrays(const gl::Dispatch& gl, GLenum mode, bool indexed) {
   indices.release(gl);
 }
 
-// Switches off everything that may drop the fragment in the middle or change the way the quad is drawn. The caller
-// saves GL_ENABLE_BIT and GL_VIEWPORT_BIT.
+// Switches off everything that may drop the fragment in the middle or change the way the quad is drawn. The middle is
+// pixel 0, which every framebuffer has. The caller saves GL_ENABLE_BIT and GL_VIEWPORT_BIT.
 void show_one_pixel(const gl::Dispatch& gl) {
-  constexpr GLenum obstacles[] = {GL_SCISSOR_TEST, GL_DEPTH_TEST,      GL_STENCIL_TEST,
-                                  GL_CULL_FACE,    GL_POLYGON_STIPPLE, GL_SAMPLE_COVERAGE};
+  constexpr GLenum obstacles[] = {GL_SCISSOR_TEST,
+                                  GL_DEPTH_TEST,
+                                  GL_STENCIL_TEST,
+                                  GL_CULL_FACE,
+                                  GL_POLYGON_STIPPLE,
+                                  GL_SAMPLE_COVERAGE,
+                                  GL_SAMPLE_ALPHA_TO_COVERAGE};
   constexpr GLenum clip_distances = 8;
   for (const GLenum obstacle : obstacles) {
     gl.Disable(obstacle);
   }
+  if (gl.DepthBoundsEXT != nullptr) {
+    gl.Disable(GL_DEPTH_BOUNDS_TEST_EXT);
+  }
   for (GLenum i = 0; i < clip_distances; ++i) {
     gl.Disable(GL_CLIP_DISTANCE0 + i);
   }
-  gl.Viewport(0, 0, 1, 1);
+  gl.Viewport(-1, -1, 3, 3);
 }
+
+// Switched off during its lifetime. Mesa's glPopAttrib does not restore these two.
+class AllSamples {
+ public:
+  explicit AllSamples(const gl::Dispatch& gl)
+      : gl_(gl), mask_(switch_off(GL_SAMPLE_MASK)), shading_(switch_off(GL_SAMPLE_SHADING)) {}
+  ~AllSamples() {
+    switch_on(GL_SAMPLE_MASK, mask_);
+    switch_on(GL_SAMPLE_SHADING, shading_);
+  }
+  AllSamples(const AllSamples&) = delete;
+  AllSamples& operator=(const AllSamples&) = delete;
+
+ private:
+  bool switch_off(GLenum mode) const {
+    const bool was_on = gl_.IsEnabled(mode) != GL_FALSE;
+    if (was_on) {
+      gl_.Disable(mode);
+    }
+    return was_on;
+  }
+  void switch_on(GLenum mode, bool was_on) const {
+    if (was_on) {
+      gl_.Enable(mode);
+    }
+  }
+
+  const gl::Dispatch& gl_;
+  bool mask_;
+  bool shading_;
+};
 
 }  // namespace
 
@@ -104,8 +146,7 @@ std::optional<Diagonal> DrawnDiagonals::find(GLenum mode, QuadSource source) {
 
 bool DrawnDiagonals::can_probe() const {
   const core::Bindings& b = env_.bindings();
-  const bool counted = b.queries.active != 0 || b.queries.generated != 0;
-  return !broken_ && !counted && !b.transform_feedback.active && !b.rasterizer_discard &&
+  return !broken_ && b.queries.none() && !b.transform_feedback.active && !b.rasterizer_discard &&
          !env_.state.lists().compiling();
 }
 
@@ -146,6 +187,7 @@ void DrawnDiagonals::draw(GLuint program, GLuint result, GLenum mode, QuadSource
     env_.gl.Disable(GL_PRIMITIVE_RESTART);
   }
   show_one_pixel(env_.gl);
+  const AllSamples all_samples(env_.gl);
   switch (source) {
     case QuadSource::immediate: draw_immediate(env_.gl, mode); break;
     case QuadSource::list: draw_list(env_.gl, mode); break;

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstdint>
 
+#include "glark/core/state/active_queries.h"
 #include "glark/core/state/capabilities.h"
 #include "glark/gl/dispatch.h"
 
@@ -27,13 +28,6 @@ struct TransformFeedbackBindings {
   bool paused = false;
   bool ours = false;  // it captures refined triangles: between our draws we pause it
   GLuint buffer = 0;  // generic binding point of GL_TRANSFORM_FEEDBACK_BUFFER
-};
-
-// Active queries that would count our captures.
-struct PrimitiveQueries {
-  int active = 0;        // their number
-  GLuint generated = 0;  // the query of GL_PRIMITIVES_GENERATED; 0: none
-  GLuint written = 0;    // the query of GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN; 0: none
 };
 
 struct PolygonModes {
@@ -91,7 +85,7 @@ struct Bindings : PlannedModes {
   std::array<float, 2> viewport{};  // width and height
   GLuint list_base = 0;
   bool debug_output = false;
-  PrimitiveQueries queries = {};
+  ActiveQueries queries = {};
 };
 
 constexpr GLenum clip_distance_count = 8;  // every OpenGL 3.0 has as many

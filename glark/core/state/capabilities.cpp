@@ -120,6 +120,16 @@ gl::Dispatch supported_functions(const gl::Dispatch& gl, const Capabilities& cap
   if (!capabilities.is_compatibility()) {
     supported.GetProgramStringARB = nullptr;
   }
+  const auto lacks = [&](std::string_view extension) {
+    return std::find(capabilities.extensions.begin(), capabilities.extensions.end(), extension) ==
+           capabilities.extensions.end();
+  };
+  if (lacks("GL_EXT_depth_bounds_test")) {
+    supported.DepthBoundsEXT = nullptr;
+  }
+  if (lacks("GL_ARB_shading_language_include")) {
+    supported.IsNamedStringARB = nullptr;
+  }
   return supported;
 }
 

@@ -51,6 +51,8 @@ class ImmediateMode {
     uncertain_ = false;
   }
   bool full() const { return vertices_ == limit_; }
+  // Whether the current capture has room for so many more.
+  bool fits(std::uint64_t vertices) const { return limit_ == UINT64_MAX || vertices_ + vertices <= limit_; }
   void count(unsigned components) {
     ++vertices_;
     components_ |= 1U << components;

@@ -73,7 +73,7 @@ TEST(StateCheck, OnlyFacesThatShowMustBeFilled) {
 
 TEST(StateCheck, TransparentRefinementDoesNotShowInQueries) {
   Setting setting;
-  setting.bindings.queries.active = 1;
+  setting.bindings.queries.begin(GL_VERTICES_SUBMITTED, 0, 1);
   EXPECT_EQ(setting.check(), std::nullopt);
   setting.transparent = true;
   EXPECT_EQ(setting.check(), Cause::primitive_query);
@@ -82,9 +82,8 @@ TEST(StateCheck, TransparentRefinementDoesNotShowInQueries) {
 // A capture whose triangles GL alone can count stops one of the application's two queries for that time.
 TEST(StateCheck, QueriesAllowRefinementThatTheApplicationAskedFor) {
   Setting setting{.exact = false};
-  setting.bindings.queries.written = 1;
-  setting.bindings.queries.generated = 2;
-  setting.bindings.queries.active = 2;
+  setting.bindings.queries.begin(GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN, 0, 1);
+  setting.bindings.queries.begin(GL_PRIMITIVES_GENERATED, 0, 2);
   EXPECT_EQ(setting.check(), std::nullopt);
   setting.exact = true;
   EXPECT_EQ(setting.check(), std::nullopt);
@@ -108,7 +107,7 @@ TEST(StateCheck, WithoutRasterizationOnlyResultsCount) {
   setting.feedback_is_ours = true;
   EXPECT_EQ(setting.check(), std::nullopt);
   setting.feedback_is_ours = false;
-  setting.bindings.queries.generated = 3;
+  setting.bindings.queries.begin(GL_PRIMITIVES_GENERATED, 0, 3);
   EXPECT_EQ(setting.check(), std::nullopt);
 }
 

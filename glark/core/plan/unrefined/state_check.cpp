@@ -28,14 +28,14 @@ std::optional<Cause> check_state(const DrawCall& call, const DrawConditions& con
   if (b.transform_feedback.active && !b.transform_feedback.paused && !conditions.feedback_is_ours) {
     return Cause::transform_feedback;
   }
-  if (conditions.transparent && b.queries.active > 0) {
+  if (conditions.transparent && b.queries.primitives()) {
     return Cause::primitive_query;
   }
   if (conditions.transparent && shows_lines_or_points(b)) {
     return Cause::polygon_mode;
   }
   // Without rasterization, transform feedback and a query of generated primitives still see refined triangles.
-  const bool results_count = conditions.feedback_is_ours || conditions.plans_feedback || b.queries.generated != 0;
+  const bool results_count = conditions.feedback_is_ours || conditions.plans_feedback || b.queries.generated() != 0;
   if (b.rasterizer_discard && !results_count) {
     return Cause::rasterizer_discard;
   }

@@ -196,7 +196,8 @@ void ProgramBuilder::bind_inputs(GLuint name, const core::DerivedKey& key) const
 }
 
 GLuint ProgramBuilder::compile_and_link(const core::Program& program, const std::vector<std::string>& vertex_stage,
-                                        GLuint settings_of, const core::DerivedKey& key, std::string& error) const {
+                                        const core::Program* settings_of, const core::DerivedKey& key,
+                                        std::string& error) const {
   const GLuint name = gl_.CreateProgram();
   std::vector<GLuint> shaders;
   for (const std::string& source : vertex_stage) {
@@ -215,11 +216,8 @@ GLuint ProgramBuilder::compile_and_link(const core::Program& program, const std:
   if (key.positions_only()) {
     const char* const varying = "gl_Position";
     gl_.TransformFeedbackVaryings(name, 1, &varying, GL_INTERLEAVED_ATTRIBS);
-  } else if (settings_of != 0) {
-    copy_link_settings(gl_, settings_of, name);
-    if (reads(program, GL_GEOMETRY_SHADER, "_geometry_shader4")) {
-      copy_geometry_parameters(gl_, settings_of, name);
-    }
+  } else if (settings_of != nullptr) {
+    copy_link_settings(gl_, *settings_of, name);
   }
   return core::link_program(gl_, name, shaders, error) ? name : 0;
 }
@@ -344,9 +342,7 @@ std::shared_ptr<core::DerivedProgram> ProgramBuilder::derive(core::Program& prog
   const Derivation derivation = derive_if_it_fits(program, request);
   show_derived(program, key, derivation.vertex_sources);
   std::string error = derivation.error;
-  const GLuint name = derivation.ok ? compile_and_link(program, derivation.vertex_sources,
-                                                       owner != nullptr ? owner->name : 0, key, error)
-                                    : 0;
+  const GLuint name = derivation.ok ? compile_and_link(program, derivation.vertex_sources, owner, key, error) : 0;
   error = log_for_author(error, derivation.prefix);
   program.refinement_log = error;
   if (name == 0) {
@@ -377,7 +373,7 @@ std::shared_ptr<core::Program> ProgramBuilder::generated(const std::string& sour
   program->stages.push_back({GL_VERTEX_SHADER, std::make_shared<const std::string>(source)});
   // A program with only the vertex stage shows which attributes this stage reads.
   std::string error;
-  program->name = compile_and_link(*program, {source}, 0, core::DerivedKey{.placed = false}, error);
+  program->name = compile_and_link(*program, {source}, nullptr, core::DerivedKey{.placed = false}, error);
   if (program->name == 0) {
     core::log(core::LogLevel::error, fmt::format("{} cannot be built: {}", what, error));
   }

@@ -61,7 +61,7 @@ class ProgramBuilder {
 
  private:
   GLuint compile_and_link(const core::Program& program, const std::vector<std::string>& vertex_sources,
-                          GLuint settings_of, const core::DerivedKey& key, std::string& error) const;
+                          const core::Program* settings_of, const core::DerivedKey& key, std::string& error) const;
   void check_inputs(core::Program& program) const;
   void bind_inputs(GLuint name, const core::DerivedKey& key) const;
   bool needs_stage(GLenum stage, bool positions_only) const;

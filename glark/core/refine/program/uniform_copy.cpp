@@ -263,47 +263,26 @@ void copy_fragment_outputs(const gl::Dispatch& gl, GLuint from, GLuint to) {
   }
 }
 
-void copy_feedback_varyings(const gl::Dispatch& gl, GLuint from, GLuint to) {
-  GLint count = 0;
-  GLint mode = GL_INTERLEAVED_ATTRIBS;
-  gl.GetProgramiv(from, GL_TRANSFORM_FEEDBACK_VARYINGS, &count);
-  gl.GetProgramiv(from, GL_TRANSFORM_FEEDBACK_BUFFER_MODE, &mode);
-  GLint longest = 1;
-  gl.GetProgramiv(from, GL_TRANSFORM_FEEDBACK_VARYING_MAX_LENGTH, &longest);
-  std::vector<std::string> names;
-  for (GLint i = 0; i < count; ++i) {
-    std::vector<char> name(static_cast<std::size_t>(longest) + 1);
-    GLsizei size = 0;
-    GLenum type = 0;
-    gl.GetTransformFeedbackVarying(from, static_cast<GLuint>(i), static_cast<GLsizei>(name.size()), nullptr, &size,
-                                   &type, name.data());
-    names.emplace_back(name.data());
+void set_feedback_varyings(const gl::Dispatch& gl, const core::LinkSettings& settings, GLuint to) {
+  std::vector<const char*> names;
+  for (const core::FeedbackVarying& varying : settings.feedback_varyings) {
+    names.push_back(varying.name.c_str());
   }
   if (!names.empty()) {
-    std::vector<const char*> pointers;
-    for (const std::string& name : names) {
-      pointers.push_back(name.c_str());
-    }
-    gl.TransformFeedbackVaryings(to, count, pointers.data(), static_cast<GLenum>(mode));
+    gl.TransformFeedbackVaryings(to, static_cast<GLsizei>(names.size()), names.data(), settings.feedback_mode);
   }
 }
 
 }  // namespace
 
-void copy_link_settings(const gl::Dispatch& gl, GLuint from, GLuint to) {
-  GLint separable = GL_FALSE;
-  gl.GetProgramiv(from, GL_PROGRAM_SEPARABLE, &separable);
-  gl.ProgramParameteri(to, GL_PROGRAM_SEPARABLE, separable);
-  copy_fragment_outputs(gl, from, to);
-  copy_feedback_varyings(gl, from, to);
-}
-
-void copy_geometry_parameters(const gl::Dispatch& gl, GLuint from, GLuint to) {
-  for (const GLenum name : {GL_GEOMETRY_INPUT_TYPE_ARB, GL_GEOMETRY_OUTPUT_TYPE_ARB, GL_GEOMETRY_VERTICES_OUT_ARB}) {
-    GLint value = -1;
-    gl.GetProgramiv(from, name, &value);
-    if (value >= 0) {
-      gl.ProgramParameteri(to, name, value);
+void copy_link_settings(const gl::Dispatch& gl, const core::Program& from, GLuint to) {
+  const core::LinkSettings& settings = from.link_settings;
+  gl.ProgramParameteri(to, GL_PROGRAM_SEPARABLE, settings.separable ? GL_TRUE : GL_FALSE);
+  copy_fragment_outputs(gl, from.name, to);
+  set_feedback_varyings(gl, settings, to);
+  for (std::size_t i = 0; i < settings.geometry.size(); ++i) {
+    if (settings.geometry[i] >= 0) {
+      gl.ProgramParameteri(to, core::geometry_parameters[i], settings.geometry[i]);
     }
   }
 }

@@ -14,11 +14,8 @@
 
 namespace glark::refine {
 
-// Before linking: separability, fragment output locations and transform feedback varyings of `from`, set on `to`.
-void copy_link_settings(const gl::Dispatch& gl, GLuint from, GLuint to);
-
-// Before linking, if a geometry shader is written for ARB_geometry_shader4: the parameters that stand for its layouts.
-void copy_geometry_parameters(const gl::Dispatch& gl, GLuint from, GLuint to);
+// Before linking: what `from` was linked with, and the locations of its fragment outputs, set on `to`.
+void copy_link_settings(const gl::Dispatch& gl, const core::Program& from, GLuint to);
 
 // After linking: fills derived.location_of.
 void map_uniform_locations(const gl::Dispatch& gl, GLuint from, core::DerivedProgram& derived);

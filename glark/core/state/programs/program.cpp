@@ -111,6 +111,12 @@ bool reads_conventional_projection(const std::vector<StageSource>& stages) {
   });
 }
 
+bool Program::has_old_geometry_shader() const {
+  return std::any_of(stages.begin(), stages.end(), [](const StageSource& stage) {
+    return stage.stage == GL_GEOMETRY_SHADER && stage.source->find("_geometry_shader4") != std::string::npos;
+  });
+}
+
 bool may_store(const std::vector<StageSource>& stages) {
   return std::any_of(stages.begin(), stages.end(),
                      [](const StageSource& stage) { return may_store(std::string_view(*stage.source)); });

@@ -19,6 +19,7 @@
 #include "glark/core/report/cause.h"
 #include "glark/core/report/statistics.h"
 #include "glark/core/state/programs/derived_program.h"
+#include "glark/core/state/programs/link_settings.h"
 #include "glark/core/state/programs/vertex_stage_traits.h"
 
 namespace glark::core {
@@ -45,8 +46,9 @@ struct Program {
   bool assembly = false;  // of ours: the GLSL of an assembly program
   std::vector<StageSource> stages;
   bool from_binary = false;
-  bool linked = true;          // false: GL runs the executable from before the last link, and cannot return to it
-  bool may_store = false;      // may_store()
+  bool linked = true;      // false: GL runs the executable from before the last link, and cannot return to it
+  bool may_store = false;  // may_store()
+  LinkSettings link_settings;
   bool prepared = false;       // the next four members are valid
   std::optional<Cause> cause;  // why it cannot be refined
   std::vector<capture::Field> fields;
@@ -82,6 +84,8 @@ struct Program {
     }
     return false;
   }
+  // A geometry shader is written for ARB_geometry_shader4, or EXT_geometry_shader4.
+  bool has_old_geometry_shader() const;
 };
 
 // The mirrors of a program. They do not change during the lifetime of this object, and debug output does not report

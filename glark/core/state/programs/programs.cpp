@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "glark/core/state/programs/shader_includes.h"
 #include "glark/core/state/share_group.h"
 
 namespace glark::core {
@@ -174,11 +175,15 @@ std::vector<StageSource> Programs::read_stages(GLuint program) const {
   return stages;
 }
 
-void Programs::compiled(GLuint shader) {
+void Programs::compiled(GLuint shader, const std::vector<std::string>& paths) {
   if (!capabilities_.refinable || gl_.IsShader(shader) == GL_FALSE) {
     return;
   }
   std::shared_ptr<const std::string> source = read_source(gl_, shader);
+  if (source != nullptr && may_include(*source)) {
+    ErrorScope errors(pending_);
+    source = std::make_shared<const std::string>(expand_includes(gl_, *source, paths));
+  }
   const std::lock_guard lock(share_.mutex);
   share_.compiled_sources[shader] = std::move(source);
 }
@@ -222,6 +227,8 @@ void Programs::linked(GLuint name, std::vector<StageSource> stages) {
   GLint linked = GL_FALSE;
   gl_.GetProgramiv(name, GL_LINK_STATUS, &linked);
   program->linked = linked != GL_FALSE;
+  program->link_settings =
+      program->linked ? read_link_settings(gl_, name, program->has_old_geometry_shader()) : LinkSettings{};
   program->subroutines_asked = false;
   program->handles.clear();
   subroutines_.forget();

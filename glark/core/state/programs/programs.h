@@ -6,6 +6,7 @@
 
 #include <atomic>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "glark/core/objects/error_scope.h"
@@ -43,7 +44,8 @@ class Programs {
   // Also reads programs from GL that were linked before glark knew the context. Null: there is no such program.
   std::shared_ptr<Program> known(GLuint name);
   // The hooks call these.
-  void compiled(GLuint shader);
+  // `paths`: in which relative names of included strings are looked up.
+  void compiled(GLuint shader, const std::vector<std::string>& paths = {});
   void specialized(GLuint shader);
   void shader_deleted(GLuint shader);
   void linked(GLuint name);

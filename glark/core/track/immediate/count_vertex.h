@@ -8,8 +8,10 @@
 
 namespace glark::core::track {
 
-// The current capture of glBegin..glEnd is full: draws it and begins another one.
-void immediate_full(Context& context);
+// The current capture of glBegin..glEnd is full: draws it and begins another one, with room for `least` vertices.
+void immediate_full(Context& context, std::uint64_t least = 0);
+// Called before lists that give `vertices` vertices. Between two separate primitives, makes room for them.
+void count_called(Context& context, std::uint64_t vertices);
 
 // Whether a call of the open primitive, or of the list that is compiled, gives a vertex.
 bool gives_vertex(Context& context, VertexSource source);

@@ -35,9 +35,10 @@ MaterialSet varying_materials(Context& c) {
   return track::replaces_fixed_function(c) && c.gl().IsEnabled(GL_LIGHTING) != GL_FALSE ? noted : 0;
 }
 
-void begin_capture(Context& c, GLenum mode) {
+// With room for at least `least` vertices.
+void begin_capture(Context& c, GLenum mode, std::uint64_t least = 0) {
   const MaterialSet materials = varying_materials(c);
-  const std::uint64_t room = c.stages()->draw().begin_immediate(mode, materials);
+  const std::uint64_t room = c.stages()->draw().begin_immediate(mode, materials, triangles_of(mode, least));
   c.update_refining();
   const std::uint64_t step = vertices_of_primitive(mode);
   const std::uint64_t fitting = step > 0 ? room / triangles_of(mode, step) * step : UINT64_MAX;
@@ -55,6 +56,12 @@ void end_capture(Context& c) {
   c.stages()->draw().end_immediate(counted_triangles(c.state().immediate()));
   track::end_materials(c);
   c.update_refining();
+}
+
+// No primitive has vertices so far that it waits to be completed.
+bool between_primitives(const ImmediateMode& immediate) {
+  const std::uint64_t step = vertices_of_primitive(immediate.mode());
+  return immediate.vertices() == 0 || (step > 0 && immediate.vertices() % step == 0 && !immediate.restarted());
 }
 
 // The vertices do not carry the parameter: those so far are drawn before it changes. Those that follow carry it.
@@ -106,13 +113,21 @@ bool gives_vertex(Context& c, VertexSource source) {
   return !may_ask || elements_give_vertices(c);
 }
 
-void immediate_full(Context& c) {
+void immediate_full(Context& c, std::uint64_t least) {
   ImmediateMode& immediate = c.state().immediate();
   c.gl().End();
   end_capture(c);
   immediate.restart_counts();
-  begin_capture(c, immediate.mode());
+  begin_capture(c, immediate.mode(), least);
   c.gl().Begin(immediate.mode());
+}
+
+void count_called(Context& c, std::uint64_t vertices) {
+  ImmediateMode& immediate = c.state().immediate();
+  if (!immediate.fits(vertices) && between_primitives(immediate)) {
+    immediate_full(c, vertices);
+  }
+  immediate.count_called(vertices);
 }
 
 void primitive_ended(Context& c) {
@@ -144,14 +159,11 @@ void change_material(Context& c, const MaterialChange& change) {
   }
   const MaterialSet parameters = change.parameters();
   const bool carried = immediate.capturing() && (parameters & ~immediate.materials().carried()) == 0;
-  const std::uint64_t step = vertices_of_primitive(immediate.mode());
-  const bool between_primitives =
-      immediate.vertices() == 0 || (step > 0 && immediate.vertices() % step == 0 && !immediate.restarted());
-  if (!carried && between_primitives && immediate.capturing()) {
+  if (!carried && between_primitives(immediate) && immediate.capturing()) {
     restart_capture(c, change);
     return;
   }
-  if (!between_primitives) {
+  if (!between_primitives(immediate)) {
     immediate.materials().note(parameters);
   }
   change.call(c.gl(), change);

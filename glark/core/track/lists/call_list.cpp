@@ -4,6 +4,7 @@
 // Calls display lists: a cut list segment by segment, any other list as it is.
 #include <vector>
 
+#include "glark/core/track/immediate/count_vertex.h"
 #include "glark/core/track/lists/list_names.h"
 #include "glark/core/track/lists/lists.h"
 #include "glark/core/track/track.h"
@@ -58,7 +59,7 @@ void call_list(Context& c, GLuint name, int depth) {
   const std::shared_ptr<DisplayList> list = track::find_list(c, name);
   ImmediateMode& immediate = c.state().immediate();
   if (immediate.capturing()) {
-    immediate.count_called(vertices_of(c, name, depth));
+    track::count_called(c, vertices_of(c, name, depth));
   }
   if (list == nullptr || !list->refinable || !c.refining() || immediate.open()) {
     if (c.refining() && !immediate.open()) {
@@ -143,8 +144,12 @@ void CallLists(Context& c, GLsizei n, GLenum type, const void* lists) {
   ImmediateMode& immediate = c.state().immediate();
   const GLuint base = track::list_base(c);
   if (!c.refining() || immediate.open()) {
+    std::uint64_t vertices = 0;
     for (GLsizei i = 0; i < n && immediate.capturing(); ++i) {
-      immediate.count_called(vertices_of(c, base + track::name_at(type, lists, i), 0));
+      vertices += vertices_of(c, base + track::name_at(type, lists, i), 0);
+    }
+    if (immediate.capturing()) {
+      track::count_called(c, vertices);
     }
     c.gl().CallLists(n, type, lists);
     track::forget_state(c, nullptr);

@@ -56,6 +56,16 @@ void CompileShader(Context& c, GLuint shader) {
   c.state().programs().compiled(shader);
 }
 
+void CompileShaderIncludeARB(Context& c, GLuint shader, GLsizei count, const GLchar* const* path, const GLint* length) {
+  std::vector<std::string> paths;
+  for (GLsizei i = 0; i < count && path != nullptr && path[i] != nullptr; ++i) {
+    const bool terminated = length == nullptr || length[i] < 0;
+    paths.push_back(terminated ? std::string(path[i]) : std::string(path[i], static_cast<std::size_t>(length[i])));
+  }
+  c.gl().CompileShaderIncludeARB(shader, count, path, length);
+  c.state().programs().compiled(shader, paths);
+}
+
 void SpecializeShader(Context& c, GLuint shader, const GLchar* entry_point, GLuint constants, const GLuint* indices,
                       const GLuint* values) {
   c.gl().SpecializeShader(shader, entry_point, constants, indices, values);

@@ -2,40 +2,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Hooks that begin and end queries and conditional rendering. Queries that count primitives must not count our captures.
-#include <algorithm>
-
 #include "glark/core/track/track.h"
 
 namespace glark::core {
 namespace {
-
-bool counts_primitives(GLenum target) {
-  switch (target) {
-    case GL_PRIMITIVES_GENERATED:
-    case GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN:
-    case GL_TRANSFORM_FEEDBACK_OVERFLOW:
-    case GL_TRANSFORM_FEEDBACK_STREAM_OVERFLOW:
-    case GL_VERTICES_SUBMITTED:
-    case GL_PRIMITIVES_SUBMITTED:
-    case GL_VERTEX_SHADER_INVOCATIONS:
-    case GL_GEOMETRY_SHADER_INVOCATIONS:
-    case GL_GEOMETRY_SHADER_PRIMITIVES_EMITTED:
-    case GL_CLIPPING_INPUT_PRIMITIVES:
-    case GL_CLIPPING_OUTPUT_PRIMITIVES:
-    case GL_COMPUTE_SHADER_INVOCATIONS: return true;
-    default: return false;
-  }
-}
-
-// Returns the place of the query that counts triangles of stream 0; null for other targets.
-GLuint* triangle_query(Context& c, GLenum target, GLuint index) {
-  if (index != 0) {
-    return nullptr;
-  }
-  return target == GL_PRIMITIVES_GENERATED                    ? &c.state().bindings().queries.generated
-         : target == GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN ? &c.state().bindings().queries.written
-                                                              : nullptr;
-}
 
 // The active query; 0 if there is none.
 GLuint active_query(Context& c, GLenum target, GLuint index) {
@@ -51,26 +21,18 @@ GLuint active_query(Context& c, GLenum target, GLuint index) {
 // Calls `begin`, which begins a query. GL refuses one that is active, or that belongs to another target.
 template <class Begin>
 void begin_query(Context& c, GLenum target, GLuint index, GLuint id, const Begin& begin) {
-  const bool counts = counts_primitives(target);
-  const bool was_active = counts && active_query(c, target, index) != 0;
+  const bool counted = ActiveQueries::is_counted(target);
+  const bool was_active = counted && active_query(c, target, index) != 0;
   begin();
-  if (!counts || was_active || active_query(c, target, index) != id) {
-    return;
-  }
-  ++c.state().bindings().queries.active;
-  if (GLuint* slot = triangle_query(c, target, index); slot != nullptr) {
-    *slot = id;
+  if (counted && !was_active && active_query(c, target, index) == id) {
+    c.state().bindings().queries.begin(target, index, id);
     c.state().query_surplus().forget(id);
   }
 }
 
 void query_ended(Context& c, GLenum target, GLuint index) {
-  if (!counts_primitives(target)) {
-    return;
-  }
-  c.state().bindings().queries.active = std::max(0, c.state().bindings().queries.active - 1);
-  if (GLuint* slot = triangle_query(c, target, index); slot != nullptr) {
-    *slot = 0;
+  if (!c.state().immediate().open()) {  // there GL refuses to end queries
+    c.state().bindings().queries.end(target, index);
   }
 }
 
@@ -102,10 +64,8 @@ void DeleteQueries(Context& c, GLsizei n, const GLuint* ids) {
   for (GLsizei i = 0; i < n && ids != nullptr; ++i) {
     c.state().query_surplus().forget(ids[i]);
     c.state().conditional_rendering().query_deleted(ids[i]);
-    for (const GLenum target : {GL_PRIMITIVES_GENERATED, GL_TRANSFORM_FEEDBACK_PRIMITIVES_WRITTEN}) {
-      if (const GLuint* slot = triangle_query(c, target, 0); ids[i] != 0 && *slot == ids[i]) {
-        query_ended(c, target, 0);
-      }
+    if (ids[i] != 0) {
+      c.state().bindings().queries.deleted(ids[i]);
     }
   }
 }
