@@ -12,6 +12,7 @@
 
 #include "glark/core/state/arrays/current_values.h"
 #include "glark/core/state/fixed_function/material_parameters.h"
+#include "glark/core/state/fixed_function/vertex_materials.h"
 #include "glark/core/state/lists/polygon_sides.h"
 #include "glark/gl/types.h"
 
@@ -126,6 +127,7 @@ struct DisplayList {
   bool ends_primitive = false;       // it has a glEnd whose glBegin lies outside
   bool leaves_open = false;          // it has a glBegin whose glEnd lies outside
   std::uint64_t loose_vertices = 0;  // outside glBegin and glEnd, without those of lists that it calls
+  std::vector<MaterialChange> loose_materials = {};  // the same
 };
 
 }  // namespace glark::core

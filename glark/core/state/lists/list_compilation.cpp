@@ -31,6 +31,15 @@ bool ListCompilation::add_stack_step(StackStep step) {
   return true;
 }
 
+void ListCompilation::note_material(const MaterialChange& change, bool before_vertices) {
+  if (!primitive_.open()) {
+    list_->loose_materials.push_back(change);
+    return;
+  }
+  effects_.materials.set = true;
+  effects_.materials.varying |= before_vertices ? 0 : change.parameters();
+}
+
 void ListCompilation::add_loose_vertices(std::uint64_t vertices) {
   if (!primitive_.open()) {
     list_->loose_vertices += vertices;

@@ -32,11 +32,7 @@ class ListCompilation {
   SegmentEffects& effects() { return effects_; }
   const SegmentEffects& effects() const { return effects_; }
   void note_uniforms() { changes_uniforms_ = true; }
-  // glMaterial sets these parameters.
-  void note_material(MaterialSet parameters, bool before_vertices) {
-    effects_.materials.set |= primitive_.open();
-    effects_.materials.varying |= primitive_.open() && !before_vertices ? parameters : 0;
-  }
+  void note_material(const MaterialChange& change, bool before_vertices);
 
   // Adds an effect of the whole list. Between glBegin and glEnd GL refuses these calls: then nothing is added, and the
   // result is false.

@@ -116,7 +116,7 @@ void record_material(Context& c, const MaterialChange& change) {
   ListCompilation& lists = c.state().lists();
   const bool before_vertices = c.state().immediate().before_vertices();
   c.changes().forget_in_list();
-  lists.note_material(change.parameters(), before_vertices);
+  lists.note_material(change, before_vertices);
   change.call(c.gl(), change);
   if (!lists.primitive().open() || !is_triangle_mode(lists.primitive().mode())) {
     return;

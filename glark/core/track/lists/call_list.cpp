@@ -12,21 +12,43 @@
 namespace glark::core {
 namespace {
 
-// The vertices that a call between glBegin and glEnd adds to the primitive.
-std::uint64_t vertices_of(Context& c, GLuint name, int depth) {
+// What a call between glBegin and glEnd adds to the primitive.
+struct LooseCalls {
+  std::uint64_t vertices = 0;
+  std::vector<MaterialChange> materials;
+};
+
+void add_loose_calls(Context& c, GLuint name, int depth, LooseCalls& calls) {
   const std::shared_ptr<DisplayList> list = track::find_list(c, name);
   if (list == nullptr || depth >= track::deepest_nesting) {
-    return 0;
+    return;
   }
-  std::uint64_t count = list->loose_vertices;
+  calls.vertices += list->loose_vertices;
+  calls.materials.insert(calls.materials.end(), list->loose_materials.begin(), list->loose_materials.end());
   for (const ListSegment& segment : list->segments) {
     if (segment.kind == ListSegment::Kind::call) {
-      count += vertices_of(c, segment.list, depth + 1);
+      add_loose_calls(c, segment.list, depth + 1, calls);
     } else if (segment.kind == ListSegment::Kind::call_offset) {
-      count += vertices_of(c, track::list_base(c) + segment.list, depth + 1);
+      add_loose_calls(c, track::list_base(c) + segment.list, depth + 1, calls);
     }
   }
-  return count;
+}
+
+LooseCalls loose_calls(Context& c, GLuint name, int depth) {
+  LooseCalls calls;
+  add_loose_calls(c, name, depth, calls);
+  return calls;
+}
+
+// Before a list is called within a captured primitive. If it gives vertices and sets materials, the latter are not
+// followed.
+void count_loose_calls(Context& c, const LooseCalls& calls) {
+  for (const MaterialChange& change : calls.materials) {
+    if (calls.vertices == 0) {
+      track::change_material(c, change);
+    }
+  }
+  track::count_called(c, calls.vertices);
 }
 
 std::uint64_t triangles_of_segment(Context& c, const ListSegment& segment) {
@@ -35,7 +57,7 @@ std::uint64_t triangles_of_segment(Context& c, const ListSegment& segment) {
   }
   std::uint64_t vertices = segment.vertices;
   for (const VertexList& inner : segment.vertex_lists) {
-    vertices += vertices_of(c, (inner.offset ? track::list_base(c) : 0) + inner.list, 0);
+    vertices += loose_calls(c, (inner.offset ? track::list_base(c) : 0) + inner.list, 0).vertices;
   }
   return triangles_of(segment.mode, vertices);
 }
@@ -59,7 +81,7 @@ void call_list(Context& c, GLuint name, int depth) {
   const std::shared_ptr<DisplayList> list = track::find_list(c, name);
   ImmediateMode& immediate = c.state().immediate();
   if (immediate.capturing()) {
-    track::count_called(c, vertices_of(c, name, depth));
+    count_loose_calls(c, loose_calls(c, name, depth));
   }
   if (list == nullptr || !list->refinable || !c.refining() || immediate.open()) {
     if (c.refining() && !immediate.open()) {
@@ -141,16 +163,9 @@ void CallLists(Context& c, GLsizei n, GLenum type, const void* lists) {
     track::record_calls(c, n, type, lists);
     return;
   }
-  ImmediateMode& immediate = c.state().immediate();
+  const ImmediateMode& immediate = c.state().immediate();
   const GLuint base = track::list_base(c);
-  if (!c.refining() || immediate.open()) {
-    std::uint64_t vertices = 0;
-    for (GLsizei i = 0; i < n && immediate.capturing(); ++i) {
-      vertices += vertices_of(c, base + track::name_at(type, lists, i), 0);
-    }
-    if (immediate.capturing()) {
-      track::count_called(c, vertices);
-    }
+  if (!c.refining() || (immediate.open() && !immediate.capturing())) {
     c.gl().CallLists(n, type, lists);
     track::forget_state(c, nullptr);
     for (GLsizei i = 0; i < n; ++i) {
