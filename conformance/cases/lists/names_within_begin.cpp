@@ -51,7 +51,7 @@ void compile_vertex_lists() {
   // Where the base counts for nothing, or is that of the compilation. Mesa 22.3 crashes while a primitive is compiled that
   // calls names without a list: it leaves the base out.
   for (const GLuint name : {1U, 2U, 3U, 0x103U, 0U - 2U}) {
-    compile_vertices(name, 0, 12, 0.2F);
+    compile_vertices(name, 0, 1, 0.2F);
     compile_vertices(compiled_base + name, 2, 1, 0.2F);
   }
 }

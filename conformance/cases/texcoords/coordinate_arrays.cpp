@@ -148,10 +148,8 @@ std::vector<CoordinateChange> client_coordinate_changes() {
            select_unit((unit + 1) % coordinate_units);
          },
          false},
-        {[](Scenery, GLuint) {
-          gl.PopClientAttrib();
-          gl.DisableClientState(GL_TEXTURE_COORD_ARRAY);
-        }}}},
+        {[](Scenery, GLuint) { gl.PopClientAttrib(); }, false},
+        {[](Scenery, GLuint) { gl.DisableClientState(GL_TEXTURE_COORD_ARRAY); }}}},
       {"vertex_array_object",
        {{[](Scenery s, GLuint unit) {
           gl.BindVertexArray(s.arrays);
