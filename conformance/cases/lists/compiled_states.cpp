@@ -6,7 +6,9 @@
 #include <fmt/core.h>
 
 #include <array>
+#include <map>
 #include <memory>
+#include <tuple>
 
 #include "conformance/cases/cases.h"
 #include "conformance/cases/lists/compiled_states.h"
@@ -75,7 +77,7 @@ void expect_drawn(Test& t, const Drawn& expected, int times, const std::string& 
 
 // What a context draws where the command was executed at once: the unrefined picture, unless triangles are curved, and the
 // number of refined triangles.
-Drawn executed_at_once(Test& t, const CompiledState& state, const StateDepths& depths, bool is_changed) {
+Drawn draw_at_once(Test& t, const CompiledState& state, const StateDepths& depths, bool is_changed) {
   const std::unique_ptr<Context> context = t.create_context();
   set_up_state_triangles(t);
   state.prepare();
@@ -89,6 +91,15 @@ Drawn executed_at_once(Test& t, const CompiledState& state, const StateDepths& d
   return drawn;
 }
 
+// The same, drawn once in a process: several cases, and several lists of a case, expect it.
+const Drawn& executed_at_once(Test& t, const CompiledState& state, const StateDepths& depths, bool is_changed) {
+  static std::map<std::tuple<const CompiledState*, const StateDepths*, bool>, Drawn> all;
+  const auto key = std::tuple{&state, &depths, is_changed};
+  const auto found = all.find(key);
+  return found != all.end() ? found->second
+                            : all.emplace(key, draw_at_once(t, state, depths, is_changed)).first->second;
+}
+
 void compile_calls(GLuint list, GLuint called, bool by_calls) {
   gl.NewList(list, GL_COMPILE);
   by_calls ? gl.CallLists(1, GL_UNSIGNED_INT, &called) : gl.CallList(called);
@@ -96,8 +107,8 @@ void compile_calls(GLuint list, GLuint called, bool by_calls) {
 }
 
 void check_compiled(Test& t, const CompiledState& state, const StateDepths& depths, bool is_early) {
-  const Drawn before = executed_at_once(t, state, depths, false);
-  const Drawn after = executed_at_once(t, state, depths, true);
+  const Drawn& before = executed_at_once(t, state, depths, false);
+  const Drawn& after = executed_at_once(t, state, depths, true);
   const std::string with = fmt::format(" with {}{}", depths.name, is_early ? ", compiled early" : "");
   const std::unique_ptr<Context> context = t.create_context();
   set_up_state_triangles(t);
@@ -122,8 +133,8 @@ void check_compiled(Test& t, const CompiledState& state, const StateDepths& dept
 
 // COMPILE_AND_EXECUTE takes effect at once.
 void check_executed(Test& t, const CompiledState& state, const StateDepths& depths) {
-  const Drawn before = executed_at_once(t, state, depths, false);
-  const Drawn after = executed_at_once(t, state, depths, true);
+  const Drawn& before = executed_at_once(t, state, depths, false);
+  const Drawn& after = executed_at_once(t, state, depths, true);
   const std::string with = std::string(" with ") + depths.name;
   const std::unique_ptr<Context> context = t.create_context();
   set_up_state_triangles(t);
