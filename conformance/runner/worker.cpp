@@ -3,12 +3,14 @@
 #include "conformance/runner/worker.h"
 
 #include <dlfcn.h>
+#include <malloc.h>
 #include <sys/prctl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
 #include <filesystem>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -91,10 +93,21 @@ bool is_loaded(const std::string& library) {
   return library.empty() || dlopen(library.c_str(), RTLD_LAZY | RTLD_NOLOAD) != nullptr;
 }
 
+// Each context takes and gives back some large blocks. Without this, glibc gives their pages to the kernel, which clears
+// them each time: a third of the time of most cases.
+void keep_memory() {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+  mallopt(M_TOP_PAD, 16 << 20);
+#endif
+}
+
 }  // namespace
 
 int work(WorkerTask task, const RunOptions& options, const std::vector<std::string>& names, int channel) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);  // a case that hangs must not outlive the program that would end it
+  keep_memory();
   try {
     if (!is_loaded(options.implementation)) {
       send(channel, {{"not loaded", "the dynamic linker does not load " + options.implementation + '\n'}});
