@@ -15,6 +15,7 @@ namespace glark::conformance {
 namespace {
 
 constexpr GLuint within_list = 81;
+constexpr GLuint within_inner_list = 90;  // one for each vertex
 
 struct WithinParameter {
   const char* leaf;
@@ -119,6 +120,22 @@ constexpr WithinWay within_ways[] = {
        gl.EndList();
      },
      call_within_list},
+    {"called", 0,
+     [](const Within& w) {
+       for (int i = 0; i < 6; ++i) {
+         gl.NewList(within_inner_list + static_cast<GLuint>(i), GL_COMPILE);
+         set_vertex_material(w, i);
+         gl.EndList();
+       }
+     },
+     [](const Within&) {
+       gl.Begin(GL_TRIANGLES);
+       for (int i = 0; i < 6; ++i) {
+         gl.CallList(within_inner_list + static_cast<GLuint>(i));
+         gl.Vertex2fv(within_corners[i]);
+       }
+       gl.End();
+     }},
 };
 
 // Each triangle alone, while both faces have the materials of the one that is seen: Mesa 22.3 loses colours where a

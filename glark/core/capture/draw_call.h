@@ -59,6 +59,7 @@ struct DrawCall {
   bool from_arrays = false;           // its vertices come from vertex arrays
   bool indexed = false;               // in the order of an index array
   std::uint64_t list_segment = 0;     // or from this ListSegment::identity; 0: from neither
+  bool calls_vertex_lists = false;    // the segment calls lists that give vertices: GL draws them as those of glBegin
   const ArrayDraw* arrays = nullptr;  // set, or a segment is, if the capture may be kept
   const ListSegment* segment = nullptr;
   std::span<const std::uint32_t> commands =

@@ -20,7 +20,7 @@ bool follows_drawn_diagonal(const QuadFacts& facts) {
 }
 
 polygons::QuadSource quad_source(const DrawCall& call) {
-  if (call.list_segment != 0) {
+  if (call.list_segment != 0 && !call.calls_vertex_lists) {
     return polygons::QuadSource::list;
   }
   if (!call.from_arrays) {

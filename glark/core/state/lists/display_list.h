@@ -124,9 +124,9 @@ struct DisplayList {
   bool refinable = false;  // false: call the application's list as it is
   bool changes_uniforms = false;
   bool calls_lists = false;
-  bool ends_primitive = false;       // it has a glEnd whose glBegin lies outside
-  bool leaves_open = false;          // it has a glBegin whose glEnd lies outside
-  std::uint64_t loose_vertices = 0;  // outside glBegin and glEnd, without those of lists that it calls
+  bool ends_primitive = false;                       // it has a glEnd whose glBegin lies outside
+  bool leaves_open = false;                          // it has a glBegin whose glEnd lies outside
+  std::uint64_t loose_vertices = 0;                  // outside glBegin and glEnd, without those of lists that it calls
   std::vector<MaterialChange> loose_materials = {};  // the same
 };
 

@@ -90,7 +90,7 @@ ListSegment immediate_segment(Context& c) {
       .triangles = triangles_of(lists.primitive().mode(), vertices),
       .exact = certain && !parts,
       .sets_tags = immediate.tags_set() || may_set_tags(lists.effects()) || !lists.primitive().vertex_lists().empty(),
-      .whole_polygons = certain && !parts,
+      .whole_polygons = (certain && !parts) || lists.primitive().mode() != GL_POLYGON,
       .vertex_lists = lists.primitive().vertex_lists()};
 }
 

@@ -83,6 +83,7 @@ void run_draw(Context& c, const ListSegment& segment, std::uint64_t triangles) {
                       .polygon_sides = segment.polygon_sides.empty() ? nullptr : &segment.polygon_sides,
                       .materials = segment.effects.materials.varying,
                       .list_segment = segment.identity,
+                      .calls_vertex_lists = !segment.vertex_lists.empty(),
                       .segment = watched ? &segment : nullptr,
                       .issue = issue};
   const std::vector<CurrentValue> displaced = values_under_materials(c, segment.effects);
