@@ -48,7 +48,7 @@ GLuint compile_many(GLenum mode, GLuint triangles) {
   return list;
 }
 
-// 60000 triangles have about 37 MB of inputs.
+// 60000 triangles have about 37 MB of inputs; the three lists, half of that.
 struct LargeCall {
   const char* leaf;
   GLenum mode;
@@ -58,9 +58,9 @@ struct LargeCall {
   bool is_one_call;
 };
 constexpr LargeCall large_calls[] = {{"triangles.first", GL_TRIANGLES, 0, 1, 60000, false},
-                                     {"triangles.lists_in_one_call", GL_TRIANGLES, 1, 3, 20000, true},
-                                     {"quads.after_others", GL_QUADS, 2, 1, 60000, false},
-                                     {"quads.several_calls", GL_QUADS, 1, 3, 20000, false}};
+                                     {"triangles.lists_in_one_call", GL_TRIANGLES, 1, 3, 10000, true},
+                                     {"quads.after_others", GL_QUADS, 2, 1, 30000, false},
+                                     {"quads.several_calls", GL_QUADS, 1, 3, 10000, false}};
 
 void draw_large(const LargeCall& call, GLuint list) {
   gl.Begin(call.mode);

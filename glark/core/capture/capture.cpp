@@ -22,6 +22,12 @@ std::int64_t bytes_of(const Layout& layout, std::uint64_t triangles) {
   return static_cast<std::int64_t>(triangles) * layout.triangle_words() * 4;
 }
 
+// A capture of glBegin needs nearly the same in every layout: one allocation does for all.
+std::int64_t in_whole_steps(std::int64_t bytes) {
+  constexpr std::int64_t step = std::int64_t{1} << 20;
+  return (bytes + step - 1) / step * step;
+}
+
 }  // namespace
 
 std::uint64_t query_result(const gl::Dispatch& gl, GLuint query, const core::Bindings& bindings) {
@@ -86,7 +92,7 @@ bool CaptureStage::reserve(const Layout& layout, std::uint64_t triangles) {
   if (needed <= ring_.size()) {
     return true;
   }
-  return ring_.reserve(gl_, std::max(needed, initial_ring_bytes), GL_DYNAMIC_COPY);
+  return ring_.reserve(gl_, std::max(in_whole_steps(needed), initial_ring_bytes), GL_DYNAMIC_COPY);
 }
 
 void CaptureStage::bind_target(GLuint buffer, GLintptr offset, std::int64_t size,

@@ -70,7 +70,7 @@ std::uint64_t ImmediateCapture::limited(std::uint64_t triangles) {
   log(LogLevel::warning,
       "glBegin..glEnd of " + std::to_string(triangles) + " joined triangles exceeds the " + std::to_string(capacity) +
           " that are captured at once; the rest is not drawn this time; use vertex arrays for meshes of this size");
-  bytes_ = std::min(2 * bytes_, most_bytes);
+  make_room(triangles);  // of the next one
   return capacity;
 }
 

@@ -48,7 +48,7 @@ class ImmediateCapture {
   capture::DrawCapture& capture_;
   DrawPlan plan_;
   bool exact_ = true;                              // the number of triangles is known without a query
-  std::uint64_t bytes_ = std::uint64_t{32} << 20;  // size of a capture; grows when a strip or fan did not fit
+  std::uint64_t bytes_ = std::uint64_t{16} << 20;  // size of a capture; grows when a strip or fan did not fit
 };
 
 }  // namespace glark::core
