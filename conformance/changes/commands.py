@@ -2,9 +2,13 @@
 # SPDX-FileCopyrightText: 2026 The glark authors
 # SPDX-License-Identifier: MIT
 """commands.py --check GL_XML CASES: which commands of OpenGL and OpenGL ES have a change (cases "ark.change.*").
+commands.py --called GL_XML RESULTS [RESULTS ...]: which commands no case calls.
 
 GL_XML is Khronos' registry, CASES what glark-conformance --list --json prints. Every command of either API needs a case
 that names it, or a line of reasons.txt that matches it. So a command that a new version of OpenGL adds is noticed.
+
+RESULTS are files results.json of runs with --commands, by any platform and API. A command that has a change, or whose reason
+names cases (ark....), has to be called in one of the runs. Exit status: 1 if one is not.
 """
 import fnmatch
 import json
@@ -47,7 +51,29 @@ def complaints(commands, tested, reasons):
     return wrong + [f"reasons.txt: nothing is left for {glob}" for glob, _ in reasons if glob not in used]
 
 
+def uncalled(commands, called, reasons):
+    """{reason: names of commands that no case calls, although the reason says that cases do}"""
+    missing = {}
+    for name in sorted(commands - called):
+        told = [reason for glob, reason in reasons if fnmatch.fnmatchcase(name, glob)]
+        if not told or any("ark." in reason for reason in told):
+            missing.setdefault(told[0] if told else "has a change of its own", []).append(name)
+    return missing
+
+
+def check_called(registry, files):
+    called = {command for path in files for record in json.loads(Path(path).read_text())["results"]
+              for command in record.get("commands", [])}
+    missing = uncalled(commands_of(registry), called, read_reasons(REASONS.read_text()))
+    for reason, names in missing.items():
+        print(f"{reason}\n    " + " ".join(names))
+    print(f"{len(called)} commands are called, {sum(map(len, missing.values()))} are not")
+    return 1 if missing else 0
+
+
 def main():
+    if len(sys.argv) > 3 and sys.argv[1] == "--called":
+        sys.exit(check_called(sys.argv[2], sys.argv[3:]))
     if len(sys.argv) != 4 or sys.argv[1] != "--check":
         sys.exit(__doc__)
     cases = json.loads(Path(sys.argv[3]).read_text())["cases"]

@@ -17,8 +17,9 @@ struct Record {
   Verdict seen = Verdict::missing;     // before the baseline looked at it
   double seconds = 0;
   std::vector<std::string> messages;
-  std::vector<std::string> images;  // paths of PNG files, relative to the report's directory
-  std::string output;               // what its process wrote to stdout and stderr
+  std::vector<std::string> images;    // paths of PNG files, relative to the report's directory
+  std::vector<std::string> commands;  // of OpenGL that it has called, without "gl", if they are noted
+  std::string output;                 // what its process wrote to stdout and stderr
   bool is_over = false;
 };
 

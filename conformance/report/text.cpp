@@ -22,7 +22,7 @@ std::string seconds_text(double seconds) {
 nlohmann::json as_json(const Record& record) {
   return {{"name", record.name},       {"verdict", name_of(record.verdict)}, {"seen", name_of(record.seen)},
           {"seconds", record.seconds}, {"messages", record.messages},        {"images", record.images},
-          {"output", record.output}};
+          {"output", record.output},   {"commands", record.commands}};
 }
 
 std::string joined(const std::vector<std::string>& lines) {

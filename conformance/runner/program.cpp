@@ -63,6 +63,8 @@ void describe(CLI::App& app, Options& options) {
   app.add_flag("--json", options.is_json, "with --list: also print clauses and plans");
   app.add_option("--report", options.run.report, "directory for results.json, junit.xml, log.txt and index.html")
       ->type_name("DIR");
+  app.add_flag("--commands", options.run.notes_commands,
+               "with --report: also note which commands of OpenGL each case calls");
   app.add_option("--baseline", options.baselines, "known failures; may be repeated")
       ->allow_extra_args(false)
       ->type_name("FILE");

@@ -24,6 +24,7 @@ std::vector<std::string> arguments_of(const RunOptions& options, const char* tas
                                     "--seed",     std::to_string(options.seed),
                                     "--report",   options.report};
   if (!options.implementation.empty()) texts.insert(texts.end(), {"--implementation", options.implementation});
+  if (options.notes_commands) texts.emplace_back("--commands");
   return texts;
 }
 
@@ -76,6 +77,7 @@ class Worker {
       Record& record = current();
       for (const auto& text : message["messages"]) record.messages.push_back(text);
       for (const auto& path : message["images"]) record.images.push_back(path);
+      for (const auto& command : message["commands"]) record.commands.push_back(command);
       finish(record, verdict_of(message["verdict"].get<std::string>()).value_or(Verdict::internal_error), progress);
     }
   }

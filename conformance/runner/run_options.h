@@ -17,8 +17,9 @@ struct RunOptions {
   int cases_in_process = 1;
   int retries = 0;  // of a case that fails; if it passes then, it is a flake
   bool is_verbose = false;
-  std::string report;          // directory, or empty
-  std::string implementation;  // a library to preload into the processes of cases, or empty
+  bool notes_commands = false;  // in the report: which commands of OpenGL each case calls
+  std::string report;           // directory, or empty
+  std::string implementation;   // a library to preload into the processes of cases, or empty
 };
 
 }  // namespace glark::conformance

@@ -12,9 +12,11 @@
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 
 #include "conformance/runner/exit_status.h"
+#include "conformance/show/called_commands.h"
 #include "conformance/show/show.h"
 #include "conformance/suite/test.h"
 
@@ -77,6 +79,8 @@ const Case& case_of(const std::string& name) {
 void run_one(const std::string& name, Platform& platform, const RunOptions& options, int channel) {
   const Case& test_case = case_of(name);
   send(channel, {{"begin", name}});
+  std::optional<CalledCommands> called;
+  if (options.notes_commands) called.emplace();
   Result result = run_case(test_case, platform, options.api, options.seed);
   std::vector<std::string> images;
   try {
@@ -84,8 +88,11 @@ void run_one(const std::string& name, Platform& platform, const RunOptions& opti
   } catch (const std::exception& error) {
     result.messages.emplace_back(error.what());
   }
-  send(channel,
-       {{"end", name}, {"verdict", name_of(result.verdict)}, {"messages", result.messages}, {"images", images}});
+  send(channel, {{"end", name},
+                 {"verdict", name_of(result.verdict)},
+                 {"messages", result.messages},
+                 {"images", images},
+                 {"commands", called ? called->names() : std::vector<std::string>()}});
 }
 
 // The dynamic linker only warns if it cannot preload. Then the suite would judge a driver instead of the library.

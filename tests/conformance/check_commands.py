@@ -31,6 +31,12 @@ class Checker(unittest.TestCase):
         self.assertEqual(["reasons.txt: nothing is left for Is*"], wrong)
 
 
+    def test_a_reason_that_names_cases_is_kept(self):
+        reasons = commands.read_reasons("Rect* Get*: ark.rectangles.*\nFinish: waits\n")
+        missing = commands.uncalled({"Rectf", "Recti", "Finish", "BufferData"}, {"Rectf"}, reasons)
+        self.assertEqual({"ark.rectangles.*": ["Recti"], "has a change of its own": ["BufferData"]}, missing)
+
+
 class TheSuite(unittest.TestCase):
     def test_every_command_has_a_change_or_a_reason(self):
         listed = subprocess.run([os.environ["SUITE"], "--list", "--json"], capture_output=True, text=True, check=True)
