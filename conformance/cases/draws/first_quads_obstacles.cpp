@@ -102,6 +102,16 @@ constexpr Obstacle obstacles[] = {
        gl.Enable(GL_SAMPLE_SHADING);
      },
      true},
+    {"restart_and_storage",
+     [] {
+       GLuint buffer = 0;
+       gl.GenBuffers(1, &buffer);
+       gl.BindBuffer(GL_SHADER_STORAGE_BUFFER, buffer);
+       gl.BufferData(GL_SHADER_STORAGE_BUFFER, 1024, nullptr, GL_STATIC_DRAW);
+       gl.BindBufferRange(GL_SHADER_STORAGE_BUFFER, 0, buffer, 256, 512);
+       gl.Enable(GL_PRIMITIVE_RESTART);
+       gl.PrimitiveRestartIndex(2);
+     }},
     {"deleted_statistics",
      [] {
        for (const GLenum target : {GL_VERTICES_SUBMITTED, GL_PRIMITIVES_SUBMITTED, GL_VERTEX_SHADER_INVOCATIONS,
@@ -150,10 +160,15 @@ Picture picture_with_samples(const OneQuad& quad) {
   return picture;
 }
 
-std::vector<GLint> sample_states() {
-  std::vector<GLint> states;
+// States that an implementation may change for a while, and must restore.
+std::vector<GLint> other_states() {
+  GLint offset = 0;
+  GLint size = 0;
+  gl.GetIntegeri_v(GL_SHADER_STORAGE_BUFFER_START, 0, &offset);
+  gl.GetIntegeri_v(GL_SHADER_STORAGE_BUFFER_SIZE, 0, &size);
+  std::vector<GLint> states{offset, size};
   for (const GLenum state : {GL_MULTISAMPLE, GL_SAMPLE_MASK, GL_SAMPLE_SHADING, GL_SAMPLE_COVERAGE,
-                             GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE})
+                             GL_SAMPLE_ALPHA_TO_COVERAGE, GL_SAMPLE_ALPHA_TO_ONE, GL_PRIMITIVE_RESTART})
     states.push_back(gl.IsEnabled(state));
   return states;
 }
@@ -171,11 +186,11 @@ void check_obstacle(Test& t, const Obstacle& obstacle, const QuadDraw& draw) {
   obstacle.put();
   const Picture plain = picture();
   t.expect(count_different(plain, Picture(surface_size, surface_size), 8) > 200, "the unrefined quad is seen");
-  const std::vector<GLint> before = sample_states();
+  const std::vector<GLint> before = other_states();
   refine_uniformly(2);
   for (int again = 0; again < 3; ++again)
     t.expect_same_picture(picture(), plain, "the quad, drawn for time " + as_text(again), 3, 40);
-  t.expect(sample_states() == before, "the states of samples are as before");
+  t.expect(other_states() == before, "the states are as before");
   t.expect_no_error("the draws");
 }
 
