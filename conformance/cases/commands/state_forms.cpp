@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Commands that set fixed-function state in another form: scalars, vectors, floats, integers, transposed matrices.
-// After each, a draw that repeats is the unrefined draw after the usual form.
+// After each of them, refined draws look like the unrefined draw after the usual command.
 #include <fmt/core.h>
 
 #include <array>

@@ -59,7 +59,7 @@ void set_by_integers(GLenum face, GLenum parameter, const std::array<float, 4>& 
   gl.Materialiv(face, parameter, integers.data());
 }
 
-// Of one value, if the parameter has one.
+// SHININESS by glMateriali and glMaterialf in turn; other parameters have several values.
 void set_by_scalar(GLenum face, GLenum parameter, const std::array<float, 4>& value) {
   if (parameter != GL_SHININESS) return set_by_floats(face, parameter, value);
   static bool is_integer = false;

@@ -15,7 +15,7 @@
 namespace glark::conformance {
 namespace {
 
-// The tags of the corners for each order of the edge depths of the name.
+// `leaf` names the depths of the three edges. Each row of tags gives the edges these depths in another order.
 struct DeepEdges {
   const char* leaf;
   std::vector<std::array<int, 3>> tags;
