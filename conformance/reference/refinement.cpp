@@ -18,13 +18,12 @@ double clamped(float value, double low, double high) {
 }
 
 ScalarTags tags_of(const Corner& corner) {
-  return {std::isnan(corner.tags[0]) ? 0 : std::max(0.0, static_cast<double>(corner.tags[0])),
-          clamped(corner.tags[1], -1, 1), clamped(corner.tags[2], -1, 1)};
+  return {clamped(corner.tags[0], 0, 65536), clamped(corner.tags[1], -1, 1), clamped(corner.tags[2], -1, 1)};
 }
 
 bool is_tagged(const Corner& corner) {
   const Vector d = vector_of(corner.discontinuity);
-  return std::isfinite(d.x) && std::isfinite(d.y) && std::isfinite(d.z) && (d.x != 0 || d.y != 0 || d.z != 0);
+  return dot(d, d) > 0 && dot(d, d) < 1e12;  // false for not-a-number
 }
 
 bool is_sharp(const Corner& i, const Corner& j) {

@@ -54,7 +54,7 @@ void RefinedDraw::run(const DrawCall& call) {
     return;
   }
   const ConditionLifted lifted(env_.state.conditional_rendering(), env_.gl);
-  parts_.feedback.take_over();
+  parts_.feedback.take_over(call.never_refined ? GL_NONE : call.mode);
   const Decision decision = parts_.planner.plan(call);
   if (decision.cause == Cause::not_triangles && parts_.feedback.refuses(call.mode)) {
     env_.errors.raise(GL_INVALID_OPERATION);
@@ -105,6 +105,7 @@ void RefinedDraw::draw_refined(const DrawCall& call, const DrawPlan& plan, const
 void RefinedDraw::leave(const DrawCall& call, Cause cause) {
   env_.state.refresh();
   parts_.meshes.judge(call, {}, cause);
+  parts_.feedback.hand_back_for(call.mode);
   pass(cause);
   Watched watched;
   watch(watched, {}, cause, call.triangles);
@@ -112,6 +113,7 @@ void RefinedDraw::leave(const DrawCall& call, Cause cause) {
 }
 
 void RefinedDraw::draw_as_asked(const DrawCall& call, const DrawPlan& plan, Cause cause, const Quiet& quiet) {
+  hand_back_feedback(call, cause);
   pass_planned(plan, cause, call.triangles);
   const ConditionApplied condition(env_.state.conditional_rendering(), env_.gl);
   Watched watched;
@@ -121,6 +123,14 @@ void RefinedDraw::draw_as_asked(const DrawCall& call, const DrawPlan& plan, Caus
   quiet.hush();
 }
 
+// What draws nothing captures nothing.
+void RefinedDraw::hand_back_feedback(const DrawCall& call, Cause cause) const {
+  const bool draws_nothing = is_triangle_mode(call.mode) && call.triangles == 0;
+  if (cause != Cause::invalid_draw && !draws_nothing) {
+    parts_.feedback.hand_back_for(call.mode);
+  }
+}
+
 void RefinedDraw::pass(Cause cause) {
   const Quiet quiet = env_.state.quiet();
   pass_planned({}, cause, 0);
@@ -128,12 +138,10 @@ void RefinedDraw::pass(Cause cause) {
 
 // Debug output is switched off.
 void RefinedDraw::pass_planned(const DrawPlan& plan, Cause cause, std::uint64_t triangles) {
-  if (cause != Cause::not_triangles && cause != Cause::invalid_draw) {
-    parts_.feedback.hand_back();
-  }
   count_fallback(plan.fallback);
-  const std::string message = passed_.count(cause);
-  if (!message.empty() && env_.ark.enabled && !env_.options.transparent) {
+  const bool audible = env_.ark.enabled && !env_.options.transparent && env_.bindings().debug_output;
+  const std::string message = passed_.count(cause, audible);
+  if (!message.empty()) {
     const std::string reason = plan.program != nullptr ? plan.program->refinement_log : std::string();
     const DebugOutput application{env_.gl, env_.bindings().debug_output, true};
     application.send(MessageId::passed_draw, reason.empty() ? message : message + "\n" + reason);
@@ -329,10 +337,12 @@ std::uint64_t RefinedDraw::begin_immediate(GLenum mode, MaterialSet materials, s
   ++statistics().draws_seen;
   const Quiet quiet = env_.state.quiet();
   env_.state.conditional_rendering().lift(env_.gl);  // until end_immediate()
+  parts_.feedback.take_over(mode);
   std::optional<Cause> cause;
   const std::uint64_t room = immediate_.begin(mode, materials, least, cause);
   if (cause) {
     env_.state.conditional_rendering().apply(env_.gl);
+    parts_.feedback.hand_back_for(mode);
     pass_planned({}, *cause, 0);
     watch(open_, {}, cause, 0);
   }

@@ -290,6 +290,23 @@ void check_shared(Test& t) {
   expect_draw(t, 4, 2, "in the first context, with the source that the second gave");
 }
 
+// GL keeps a deleted program while it is in use, and so its refinement shader.
+void check_deleted_in_use(Test& t) {
+  const GLuint program = set_up_draw(t);
+  give(program, good);
+  expect_draw(t, 4, 1, "before DeleteProgram");
+  gl.DeleteProgram(program);
+  t.expect_equal(source_length(program), length_of(good), "the length while the program is in use");
+  gl.UseProgram(program);
+  t.expect_no_error("the program is still in use");
+  t.expect_equal(source_length(program), length_of(good), "the length after UseProgram");
+  gl.UseProgram(0);
+  GLint length = 7;
+  gl.GetRefinementivARK(program, GL_REFINEMENT_SOURCE_LENGTH_ARK, &length);
+  t.expect_error(GL_INVALID_VALUE, "GetRefinementivARK once another program is in use");
+  t.expect_equal(length, 7, "the value");
+}
+
 }  // namespace
 
 Cases refinement_shader_api_cases() {
@@ -341,6 +358,12 @@ Cases refinement_shader_api_cases() {
        .wrong = "Compiled at once; refined without the shader; the draw generates an error.",
        .control = control,
        .check = check_broken},
+      {.name = "ark.shader.deleted_in_use",
+       .clauses = {"11.R.9-31", "11.R.9-36"},
+       .plan = "Delete the program in use, ask for the length of its source, and use no program.",
+       .wrong = "The length is 0 at once; or the name stays valid.",
+       .control = control,
+       .check = check_deleted_in_use},
       {.name = "ark.shader.shared",
        .clauses = {"11.R.9-2", "11.R.9-6", "state-28"},
        .plan =

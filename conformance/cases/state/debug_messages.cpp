@@ -341,7 +341,7 @@ Cases debug_messages_cases() {
                    "Messages that cannot be switched off, or that the log lacks.", check_filters),
       message_case("begin_end", {"chapter-20-12"}, "Call ARKinit between Begin and End.",
                    "The message generates another error.", check_begin_end, compat_only),
-      message_case("unrefined", {"chapter-20-5", "chapter-20-13", "chapter-20-15"},
+      message_case("unrefined", {"chapter-20-5", "chapter-20-22", "chapter-20-15"},
                    "Draw twice with a refinement shader that has an error.",
                    "Silence; a message for each draw; a message without the error.", check_unrefined),
       message_case("no_normal", {"chapter-20-6", "chapter-20-20", "chapter-20-21"},

@@ -55,7 +55,7 @@ struct DrawCall {
   const PolygonSides* polygon_sides =
       nullptr;                        // sizes of several GL_POLYGONs, if they are known; for a bound, the greatest ones
   MaterialSet materials = 0;          // parameters of the material that the vertices have as attributes
-  bool forced = false;                // glDrawARP: refined with GL_ARK disabled too
+  bool never_refined = false;         // a rectangle, or a mesh of evaluators
   bool from_arrays = false;           // its vertices come from vertex arrays
   bool indexed = false;               // in the order of an index array
   std::uint64_t list_segment = 0;     // or from this ListSegment::identity; 0: from neither

@@ -8,6 +8,10 @@
 namespace glark::core {
 namespace {
 
+bool is_points_or_lines(GLenum mode) {
+  return mode == GL_POINTS || mode == GL_LINES || mode == GL_LINE_LOOP || mode == GL_LINE_STRIP;
+}
+
 // The primitive type that transform feedback captures when triangles run through this program. GL_NONE: the program
 // takes no triangles.
 GLenum feedback_mode(const gl::Dispatch& gl, const Program& owner, GLuint derived) {
@@ -31,11 +35,11 @@ void RefinedFeedback::set_program(std::shared_ptr<DerivedProgram> program) {
   env_.state.bindings().transform_feedback.ours = in_use_.ours();
 }
 
-bool RefinedFeedback::begin(GLenum mode) {
+bool RefinedFeedback::begin_refined(GLenum mode, GLenum draw_mode) {
   const Quiet quiet = env_.state.quiet();
   const auto nothing = [] {};
   const bool tagged = env_.ark.depth_source == DepthSource::tag;
-  const DrawCall call{.mode = GL_TRIANGLES, .tags_vary = tagged, .issue = nothing};
+  const DrawCall call{.mode = draw_mode, .tags_vary = tagged, .issue = nothing};
   const Decision decision = planner_.plan(call, Planner::Purpose::feedback);
   const DrawPlan& plan = decision.plan;
   if (decision.cause || plan.pipeline != nullptr ||
@@ -54,12 +58,16 @@ bool RefinedFeedback::begin(GLenum mode) {
 }
 
 void RefinedFeedback::hand_back() {
-  if (!ours() || in_use_.has_captured) {
+  if (!watches_draws() || in_use_.has_captured) {
     return;
   }
   env_.state.refresh();
   const Bindings& b = env_.bindings();
   if (b.transform_feedback.paused || !b.transform_feedback.active) {
+    return;
+  }
+  awaited_.reset();
+  if (!ours()) {
     return;
   }
   const Quiet quiet = env_.state.quiet();
@@ -68,9 +76,21 @@ void RefinedFeedback::hand_back() {
   env_.gl.BeginTransformFeedback(in_use_.mode);
 }
 
+void RefinedFeedback::hand_back_for(GLenum draw_mode) {
+  const std::shared_ptr<Program> current = env_.state.programs().current();
+  const bool makes_no_primitives = current != nullptr && !current->has_stage(GL_GEOMETRY_SHADER);
+  if (mode() != GL_TRIANGLES || !is_points_or_lines(draw_mode) || !makes_no_primitives) {
+    hand_back();
+  }
+}
+
+bool RefinedFeedback::captures() const {
+  const TransformFeedbackBindings& bound = env_.bindings().transform_feedback;
+  return watches_draws() && bound.active && !bound.paused;
+}
+
 bool RefinedFeedback::refuses(GLenum mode) const {
-  const bool points_or_lines = mode == GL_POINTS || mode == GL_LINES || mode == GL_LINE_LOOP || mode == GL_LINE_STRIP;
-  return points_or_lines && in_use_.captures(env_.bindings()) && in_use_.mode == GL_TRIANGLES;
+  return ours() && captures() && is_points_or_lines(mode) && in_use_.mode == GL_TRIANGLES;
 }
 
 bool RefinedFeedback::refuses_link(GLuint program) const {
@@ -87,7 +107,7 @@ void RefinedFeedback::bound(GLuint previous, GLuint object) {
     return;
   }
   if (watches_draws()) {
-    waiting_[previous] = {std::exchange(in_use_, {}), std::exchange(awaited_, GL_NONE)};
+    waiting_[previous] = {std::exchange(in_use_, {}), std::exchange(awaited_, std::nullopt)};
   }
   if (const auto found = waiting_.find(object); found != waiting_.end()) {
     in_use_ = std::move(found->second.in_use);
@@ -127,25 +147,24 @@ void RefinedFeedback::end() {
     env_.gl.EndTransformFeedback();
   }
   set_program(nullptr);
-  awaited_ = GL_NONE;
+  in_use_ = {};
+  awaited_.reset();
 }
 
-void RefinedFeedback::take_over() {
-  if (awaited_ == GL_NONE) {
+void RefinedFeedback::take_over(GLenum draw_mode) {
+  if (!awaited_ || !env_.ark.enabled || !is_triangle_mode(draw_mode)) {
     return;
   }
   env_.state.refresh();
-  if (env_.bindings().transform_feedback.paused) {
+  const TransformFeedbackBindings& bound = env_.bindings().transform_feedback;
+  if (!bound.active || bound.paused) {
     return;
   }
-  const GLenum mode = std::exchange(awaited_, GL_NONE);
-  if (!env_.ark.enabled || !env_.bindings().transform_feedback.active) {
-    return;
-  }
+  const GLenum mode = *std::exchange(awaited_, std::nullopt);
   // Nothing has been captured: the feedback may begin again, with another program.
   env_.gl.EndTransformFeedback();
   env_.state.forget_bindings();
-  if (!begin(mode)) {
+  if (!begin_refined(mode, draw_mode)) {
     env_.gl.BeginTransformFeedback(mode);
   }
   env_.state.bindings().transform_feedback.active = true;

@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The glark authors
 // SPDX-License-Identifier: MIT
 //
-// The application's transform feedback, if the application enabled GL_ARK itself: it captures refined triangles.
+// The application's transform feedback, if the application uses the extension itself: it captures refined triangles.
+// GL begins it with the application's program, and so finds all errors. It begins again, with a program of ours, at the
+// first refined draw, unless it has captured something by then.
 #pragma once
 
+#include <optional>
 #include <unordered_map>
 
 #include "glark/core/feedback/feedback_room.h"
@@ -20,17 +23,16 @@ class RefinedFeedback {
                   const ProgramSwitch& programs)
       : env_(environment), in_use_(in_use), planner_(planner), programs_(programs), room_(environment) {}
 
-  // glBeginTransformFeedback. False: nothing was done.
-  bool begin(GLenum mode);
-  // The application began feedback while GL_ARK was disabled. If its first draw is glDrawARP, take_over() begins it
-  // again.
+  // GL has begun the application's feedback.
   void await(GLenum mode) { awaited_ = mode; }
   // Another feedback object is bound. The feedback of `previous`, if it is active, is paused.
   void bound(GLuint previous, GLuint object);
-  // Before a refined draw: takes over awaited feedback.
-  void take_over();
-  // Before an unrefined draw: gives the feedback to GL, unless it has captured refined triangles.
+  // Before a draw that may be refined.
+  void take_over(GLenum draw_mode);
+  // Before unrefined draws: leaves the feedback to GL, unless it has captured refined triangles.
   void hand_back();
+  // The same before one draw, unless that captures nothing, as GL refuses its mode.
+  void hand_back_for(GLenum draw_mode);
   // glEndTransformFeedback. Resumes ours first: NVIDIA (580) takes a feedback that ends while it is paused and another
   // program is in use for one that goes on, and then refuses to link programs.
   void end();
@@ -38,20 +40,25 @@ class RefinedFeedback {
   FeedbackRoom& room() { return room_; }
 
   bool ours() const { return in_use_.ours(); }
-  bool watches_draws() const { return ours() || awaited_ != GL_NONE; }
+  bool watches_draws() const { return ours() || awaited_.has_value(); }
   // The driver cannot see the errors of an active feedback, because we pause ours between our draws. These return
-  // whether there is one: a draw in this mode; a call that needs a paused feedback; linking this program.
+  // whether there is one: a draw in this mode; a call that needs a paused feedback; linking this program; resuming the
+  // feedback while this program is in use.
   bool refuses(GLenum mode) const;
-  bool captures() const { return in_use_.captures(env_.bindings()) && env_.bindings().transform_feedback.active; }
+  bool captures() const;
   bool refuses_link(GLuint program) const;
+  bool refuses_resume(GLuint program) const { return ours() && in_use_.owner != program; }
 
  private:
   // The feedback of an object that is not bound.
   struct Waiting {
     FeedbackInUse in_use;
-    GLenum awaited = GL_NONE;
+    std::optional<GLenum> awaited;
   };
 
+  // Begins with the derived program of a draw in `draw_mode`. False: nothing was done.
+  bool begin_refined(GLenum mode, GLenum draw_mode);
+  GLenum mode() const { return awaited_.value_or(in_use_.mode); }
   // Returns whether the program in use can be bound again after another one.
   bool can_return() const;
   void end_ours() const;
@@ -62,7 +69,7 @@ class RefinedFeedback {
   Planner& planner_;
   const ProgramSwitch& programs_;
   FeedbackRoom room_;
-  GLenum awaited_ = GL_NONE;
+  std::optional<GLenum> awaited_;  // the mode of a feedback that GL has begun, and that captured nothing yet
   std::unordered_map<GLuint, Waiting> waiting_;  // by transform feedback object
 };
 

@@ -345,19 +345,28 @@ std::uint32_t Planner::instanced_inputs_of(const DrawCall& call, const Program& 
 }
 
 void Planner::tell_notes(Program& program, DrawNoteFacts facts) const {
-  const unsigned bits = note_bits(facts) & ~program.told_notes;
-  if (bits == 0) {
+  const bool audible = !facts.transparent && env_.bindings().debug_output;
+  ToldNotes& told = *program.told_notes;
+  const unsigned all = note_bits(facts);
+  const unsigned logs = all & ~told.logged;
+  const unsigned sends = audible ? all & ~told.sent : 0;
+  if ((logs | sends) == 0) {
     return;
   }
-  program.told_notes |= bits;
+  told.logged |= logs;
+  told.sent |= sends;
   const refine::OutputVariation* const position = program.traits.variation.position();
   facts.fixed_function = program.fixed_function;
   facts.construct = facts.fallback == RefinementFallback::unsound_stage && position != nullptr ? position->reason : "";
-  const DebugOutput application{env_.gl, !facts.transparent && env_.bindings().debug_output, true};
-  for (const DrawNote& note : draw_notes(facts, bits)) {
-    const std::string text = fmt::format("{} {}", refine::label(program), note.text);
-    log(facts.transparent ? LogLevel::info : LogLevel::warning, text);
-    application.send(note.id, text);
+  const auto text_of_note = [&](const DrawNote& note) {
+    return fmt::format("{} {}", refine::label(program), note.text);
+  };
+  for (const DrawNote& note : draw_notes(facts, logs)) {
+    log(facts.transparent ? LogLevel::info : LogLevel::warning, text_of_note(note));
+  }
+  const DebugOutput application{env_.gl, audible, true};
+  for (const DrawNote& note : draw_notes(facts, sends)) {
+    application.send(note.id, text_of_note(note));
   }
 }
 

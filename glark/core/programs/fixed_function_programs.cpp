@@ -45,6 +45,7 @@ Program* FixedFunctionPrograms::find(Program* fragment, MaterialSet materials) {
   if (slot == nullptr) {
     slot = derived_.fixed_function(key.first, fragment);
     slot->refinement_source = refinement_source_;
+    slot->told_notes = told_notes_.try_emplace(fragment_, slot->told_notes).first->second;
   }
   last_ = materials == 0 ? slot.get() : last_;
   return slot.get();
@@ -52,6 +53,9 @@ Program* FixedFunctionPrograms::find(Program* fragment, MaterialSet materials) {
 
 void FixedFunctionPrograms::set_refinement_source(std::string source) {
   refinement_source_ = std::move(source);
+  for (auto& [fragment, told] : told_notes_) {
+    *told = {};
+  }
   for (auto& [key, program] : programs_) {
     derived_.discard(*program);
     program->refinement_source = refinement_source_;
@@ -66,6 +70,7 @@ void FixedFunctionPrograms::discard_derived() {
 
 void FixedFunctionPrograms::forget_fragment(GLuint name) {
   last_ = nullptr;
+  told_notes_.erase(name);
   if (name == fragment_) {
     env_.state.fixed_function().touch();  // it may read other texture coordinates now
   }

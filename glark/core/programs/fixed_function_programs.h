@@ -49,6 +49,7 @@ class FixedFunctionPrograms {
   Program* last_ = nullptr;  // of the state, for vertices without materials; null: not known
   GLuint fragment_ = 0;      // fragment program that the state was read for
   std::string refinement_source_;
+  std::map<GLuint, std::shared_ptr<ToldNotes>> told_notes_;  // of all states, by fragment program
 };
 
 }  // namespace glark::core

@@ -9,14 +9,16 @@
 
 namespace glark::core {
 
-// Counts the draws of a context that stay unrefined, and logs the first one of each cause.
+// Counts the draws of a context that stay unrefined, and tells of the first one of each cause.
 class PassedDraws {
  public:
-  // Returns the message if it is the first draw of a cause that the user may want to know; else an empty text.
-  std::string count(Cause cause);
+  // Logs the first draw of a cause. Returns a message for the application's debug output, if that is `audible` and the
+  // message is new; else an empty text.
+  std::string count(Cause cause, bool audible);
 
  private:
   std::bitset<cause_count> logged_;
+  std::bitset<cause_count> sent_;
 };
 
 }  // namespace glark::core

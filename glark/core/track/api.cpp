@@ -293,6 +293,7 @@ void RefinementShaderSourceARK(Context& c, GLuint name, GLsizei count, const GLc
   const std::lock_guard lock(program->mutex);
   c.stages()->programs().derived().discard(*program);
   program->refinement_source = std::move(source);
+  *program->told_notes = {};
   program->virtual_uniforms.clear();
 }
 

@@ -191,16 +191,16 @@ void draw_feedback(Context& context, GLenum mode, GLuint id, GLsizei instances, 
 }
 
 // The extension does not refine rectangles and evaluator meshes. Transparent refinement treats them as triangles.
-GLenum mode_of_shape(Context& context, GLenum mode) {
-  if (context.options().transparent) {
-    return mode;
+void draw_shape(Context& context, DrawCall call) {
+  if (!context.options().transparent) {
+    call.never_refined = true;
+    context.state().lists().effects().draws_shapes = true;
   }
-  context.state().lists().effects().draws_shapes = true;
-  return GL_LINES;
+  draw(context, call);
 }
 
 void draw_rectangle(Context& context, Issue issue) {
-  draw(context, {.mode = mode_of_shape(context, GL_QUADS), .triangles = 2, .issue = issue});
+  draw_shape(context, {.mode = GL_QUADS, .triangles = 2, .issue = issue});
 }
 
 }  // namespace
@@ -391,17 +391,18 @@ void Rectsv(Context& c, const GLshort* v1, const GLshort* v2) {
 }
 
 void EvalMesh1(Context& c, GLenum mode, GLint i1, GLint i2) {
-  track::draw(c, {.mode = GL_LINES, .issue = [&] { c.gl().EvalMesh1(mode, i1, i2); }});
+  const GLenum points_or_lines = mode == GL_POINT ? GL_POINTS : GL_LINES;
+  track::draw(c, {.mode = points_or_lines, .issue = [&] { c.gl().EvalMesh1(mode, i1, i2); }});
 }
 
 // OpenGL 4.6 compatibility, D.1: in mode GL_FILL a row of the mesh is a quad strip.
 void EvalMesh2(Context& c, GLenum mode, GLint i1, GLint i2, GLint j1, GLint j2) {
   const auto columns = static_cast<std::uint64_t>(std::max(0, i2 - i1));
   const auto rows = static_cast<std::uint64_t>(std::max(0, j2 - j1));
-  const GLenum rows_of = mode == GL_FILL ? track::mode_of_shape(c, GL_QUAD_STRIP) : GL_LINES;
-  track::draw(c, {.mode = rows_of, .triangles = 2 * columns * rows, .exact = false, .issue = [&] {
-                    c.gl().EvalMesh2(mode, i1, i2, j1, j2);
-                  }});
+  const GLenum rows_of = mode == GL_FILL ? GL_QUAD_STRIP : mode == GL_LINE ? GL_LINES : GL_POINTS;
+  track::draw_shape(c, {.mode = rows_of, .triangles = 2 * columns * rows, .exact = false, .issue = [&] {
+                          c.gl().EvalMesh2(mode, i1, i2, j1, j2);
+                        }});
 }
 
 void DrawTransformFeedback(Context& c, GLenum mode, GLuint id) {

@@ -7,7 +7,7 @@
 namespace glark::core {
 
 bool track::refused_while_capturing(Context& c) {
-  if (c.stages() == nullptr || !c.stages()->feedback().ours() || c.state().lists().compiling()) {
+  if (c.stages() == nullptr || !c.stages()->feedback().watches_draws() || c.state().lists().compiling()) {
     return false;
   }
   c.state().refresh();
@@ -45,25 +45,28 @@ void DeleteTransformFeedbacks(Context& c, GLsizei n, const GLuint* ids) {
 }
 
 void BeginTransformFeedback(Context& c, GLenum mode) {
-  if (c.capabilities().refinable) {
-    c.state().refresh();
-    if (c.state().bindings().transform_feedback.active) {
-      c.pending_error().raise(GL_INVALID_OPERATION);
-      return;
-    }
-    c.stages()->feedback().room().note();
-  }
-  if (!c.refining() || c.options().transparent || !c.stages()->feedback().begin(mode)) {
+  if (!c.capabilities().refinable) {
     c.gl().BeginTransformFeedback(mode);
-    c.state().forget_bindings();  // GL may have refused
-    if (c.capabilities().refinable && !c.options().transparent && !c.ark().enabled && c.ark().pool_level >= 0) {
-      c.stages()->feedback().await(mode);
-      c.update_refining();
-    }
+    c.state().forget_bindings();
     return;
   }
-  c.state().bindings().transform_feedback.active = true;
-  c.state().bindings().transform_feedback.paused = false;
+  c.state().refresh();
+  if (c.state().bindings().transform_feedback.active) {
+    c.pending_error().raise(GL_INVALID_OPERATION);
+    return;
+  }
+  c.gl().BeginTransformFeedback(mode);
+  c.state().forget_bindings();
+  c.state().refresh();
+  if (!c.state().bindings().transform_feedback.active) {
+    return;  // GL has refused
+  }
+  RefinedFeedback& feedback = c.stages()->feedback();
+  feedback.room().note();
+  if (!c.options().transparent && c.ark().pool_level >= 0) {
+    feedback.await(mode);
+    c.update_refining();
+  }
 }
 
 void EndTransformFeedback(Context& c) {
@@ -90,7 +93,12 @@ void PauseTransformFeedback(Context& c) {
 
 void ResumeTransformFeedback(Context& c) {
   if (c.stages() != nullptr && c.stages()->feedback().ours() && c.state().bindings().transform_feedback.paused) {
-    c.state().bindings().transform_feedback.paused = false;
+    c.state().refresh();
+    if (c.stages()->feedback().refuses_resume(c.state().bindings().program)) {
+      c.pending_error().raise(GL_INVALID_OPERATION);
+    } else {
+      c.state().bindings().transform_feedback.paused = false;
+    }
     return;
   }
   c.gl().ResumeTransformFeedback();

@@ -99,7 +99,7 @@ void draw_indirect(Context& c, const IndirectDraw& call, Issue issue) {
     return;
   }
   if (!is_triangle_mode(call.mode)) {
-    track::draw(c, {.mode = GL_POINTS, .issue = issue});
+    track::draw(c, {.mode = call.mode, .issue = issue});
     return;
   }
   const Commands commands = read_commands(c, call);

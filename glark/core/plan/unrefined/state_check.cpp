@@ -19,7 +19,7 @@ bool shows_lines_or_points(const Bindings& b) {
 
 std::optional<Cause> check_state(const DrawCall& call, const DrawConditions& conditions) {
   const Bindings& b = conditions.bindings;
-  if (!is_triangle_mode(call.mode)) {
+  if (!is_triangle_mode(call.mode) || call.never_refined) {
     return Cause::not_triangles;
   }
   if (b.render_mode != GL_RENDER) {

@@ -107,7 +107,6 @@ bool ProgramBuilder::can_store_records(const core::Program& program) const {
 
 void ProgramBuilder::prepare(core::Program& program) const {
   program.prepared = true;
-  program.told_notes = 0;
   program.instanced_variations.clear();
   program.cause.reset();
   program.hash = core::source_hash(program.stages);

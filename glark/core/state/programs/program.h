@@ -37,6 +37,12 @@ bool reads_conventional_projection(const std::vector<StageSource>& stages);
 // The shaders may write buffers or images. Mistaking another program for such a one only costs what is kept.
 bool may_store(const std::vector<StageSource>& stages);
 
+// note_bits() of what the log and the application's debug output were told about a program.
+struct ToldNotes {
+  unsigned logged = 0;
+  unsigned sent = 0;
+};
+
 struct Program {
   // Guards all members: contexts that share the program draw with it in their own threads. Recursive, because programs
   // are derived by draws and by queries, which hold it already.
@@ -62,15 +68,15 @@ struct Program {
   std::vector<UniformMirror> mirrors;
   std::string refinement_source;
   std::string refinement_log;
-  std::vector<std::string> virtual_uniforms;  // names, by location - virtual_location_base
-  std::uint64_t hash = 0;                     // source_hash()
-  bool left_alone = false;                    // the user named its hash
-  bool conventional_projection = false;       // reads_conventional_projection()
-  bool counts_primitives = false;             // a stage mentions gl_PrimitiveID
-  ProgramCounters* counters = nullptr;        // valid if prepared
-  unsigned told_notes = 0;                    // note_bits() of the notes that were told
-  std::map<GLint, GLuint64> handles;          // by location: bindless textures and images that uniforms name
-  bool uniforms_stale = false;  // a display list changed uniforms: copy all values before the next refined draw
+  std::vector<std::string> virtual_uniforms;                              // names, by location - virtual_location_base
+  std::uint64_t hash = 0;                                                 // source_hash()
+  bool left_alone = false;                                                // the user named its hash
+  bool conventional_projection = false;                                   // reads_conventional_projection()
+  bool counts_primitives = false;                                         // a stage mentions gl_PrimitiveID
+  ProgramCounters* counters = nullptr;                                    // valid if prepared
+  std::shared_ptr<ToldNotes> told_notes = std::make_shared<ToldNotes>();  // states of the fixed function share them
+  std::map<GLint, GLuint64> handles;  // by location: bindless textures and images that uniforms name
+  bool uniforms_stale = false;        // a display list changed uniforms: copy all values before the next refined draw
 
   bool has_virtual_uniform(GLint location) const {
     const std::lock_guard lock(mutex);

@@ -50,7 +50,11 @@ Programs::~Programs() {
 std::shared_ptr<Program> Programs::find(GLuint name) const {
   const std::lock_guard lock(share_.mutex);
   const auto found = share_.programs.find(name);
-  return found != share_.programs.end() ? found->second : nullptr;
+  if (found != share_.programs.end()) {
+    return found->second;
+  }
+  const bool in_use = current_ != nullptr && name != 0 && current_->name == name;  // it was deleted, and lives on
+  return in_use ? current_ : nullptr;
 }
 
 std::shared_ptr<Program> Programs::known(GLuint name) {
@@ -222,6 +226,7 @@ void Programs::linked(GLuint name, std::vector<StageSource> stages) {
   watcher_.program_changed(*program, name);
   program->name = name;
   program->stages = std::move(stages);
+  *program->told_notes = {};
   program->from_binary = program->stages.empty();
   program->may_store = program->from_binary || may_store(program->stages);
   GLint linked = GL_FALSE;

@@ -199,6 +199,10 @@ void Begin(Context& c, GLenum mode) {
     return;
   }
   immediate.restart_counts();
+  if (c.refining() && !immediate.open() && c.stages()->feedback().refuses(mode)) {
+    c.pending_error().raise(GL_INVALID_OPERATION);
+    return;
+  }
   if (c.refining() && !immediate.open()) {
     immediate.set_sources(track::vertex_sources(c));
   }

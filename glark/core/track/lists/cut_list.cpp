@@ -140,7 +140,7 @@ void end_list(Context& c) {
 namespace track {
 
 void record_draw(Context& c, const DrawCall& call) {
-  if (c.state().lists().primitive().open() || !is_triangle_mode(call.mode)) {
+  if (c.state().lists().primitive().open() || !is_triangle_mode(call.mode) || call.never_refined) {
     c.changes().forget_in_list();  // it leaves the values of its last vertex
     call.issue();
     return;

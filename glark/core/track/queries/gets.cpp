@@ -83,7 +83,7 @@ void correct_list_index(const Context& c, GLenum name, Value* data) {
 template <typename Value>
 void correct_paused_feedback(const Context& c, GLenum name, Value* data) {
   if (name == GL_TRANSFORM_FEEDBACK_PAUSED && data != nullptr && c.stages() != nullptr &&
-      c.stages()->feedback().captures()) {
+      c.stages()->feedback().ours() && c.stages()->feedback().captures()) {
     *data = 0;
   }
 }
