@@ -8,64 +8,11 @@
 
 #include "conformance/cases/cases.h"
 #include "conformance/cases/programs/refinement_source.h"
+#include "conformance/cases/state/listener.h"
 #include "conformance/support/capture.h"
 
 namespace glark::conformance {
 namespace {
-
-struct Message {
-  GLenum source = 0;
-  GLenum type = 0;
-  GLuint id = 0;
-  GLenum severity = 0;
-  std::string text;
-};
-using Messages = std::vector<Message>;
-
-void GLAD_API_PTR note(GLenum source, GLenum type, GLuint id, GLenum severity, GLsizei length, const GLchar* text,
-                       const void* user) {
-  if (source != GL_DEBUG_SOURCE_THIRD_PARTY) return;  // of the driver
-  auto* const messages = static_cast<Messages*>(const_cast<void*>(user));
-  messages->push_back({source, type, id, severity, std::string(text, static_cast<std::size_t>(length))});
-}
-
-// The messages that arrive while it lives.
-class Listener {
- public:
-  Listener() {
-    gl.Enable(GL_DEBUG_OUTPUT);
-    gl.Enable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
-    gl.DebugMessageCallback(note, &messages_);
-  }
-  ~Listener() { gl.DebugMessageCallback(nullptr, nullptr); }
-  Listener(const Listener&) = delete;
-  Listener& operator=(const Listener&) = delete;
-
-  Messages take_all() { return std::exchange(messages_, {}); }
-  // The messages with this id since the last call; the others are dropped.
-  Messages take(GLuint id) {
-    Messages found;
-    std::copy_if(messages_.begin(), messages_.end(), std::back_inserter(found),
-                 [id](const Message& message) { return message.id == id; });
-    messages_.clear();
-    return found;
-  }
-
- private:
-  Messages messages_;
-};
-
-bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
-
-void expect_message(Test& t, const Messages& messages, bool is_error) {
-  t.require(messages.size() == 1, "one message, there are " + as_text(messages.size()));
-  const Message& message = messages.front();
-  t.expect_equal(message.source, GLenum{GL_DEBUG_SOURCE_THIRD_PARTY}, "the source");
-  const GLenum type = is_error ? GL_DEBUG_TYPE_ERROR : GL_DEBUG_TYPE_OTHER;
-  const GLenum severity = is_error ? GL_DEBUG_SEVERITY_HIGH : GL_DEBUG_SEVERITY_MEDIUM;
-  t.expect_equal(message.type, type, "the type");
-  t.expect_equal(message.severity, severity, "the severity");
-}
 
 // The control: a message of the application arrives.
 void control(Test& t) {
