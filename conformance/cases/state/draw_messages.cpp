@@ -130,16 +130,16 @@ std::array<GLuint, 64> selected_names;
 const std::vector<LeftReason>& left_reasons() {
   static const std::vector<LeftReason> all = {
       {"shader_error",
-       {"chapter-20-5", "chapter-20-13", "chapter-20-15"},
+       {"chapter-20-5", "chapter-20-22", "chapter-20-15"},
        [](GLuint program) { give(program, "void refine() { position.x += not_declared; }"); },
        nothing},
       {"assembly",
-       {"chapter-20-5", "chapter-20-13"},
+       {"chapter-20-5", "chapter-20-22"},
        enable_assembly,
        [] { gl.Disable(GL_VERTEX_PROGRAM_ARB); },
        compat_only},
       {"feedback",
-       {"chapter-20-5", "chapter-20-13"},
+       {"chapter-20-5", "chapter-20-22"},
        [](GLuint) {
          gl.FeedbackBuffer(static_cast<GLsizei>(feedback_values.size()), GL_2D, feedback_values.data());
          gl.RenderMode(GL_FEEDBACK);
@@ -147,7 +147,7 @@ const std::vector<LeftReason>& left_reasons() {
        [] { gl.RenderMode(GL_RENDER); },
        compat_only},
       {"select",
-       {"chapter-20-5", "chapter-20-13"},
+       {"chapter-20-5", "chapter-20-22"},
        [](GLuint) {
          gl.SelectBuffer(static_cast<GLsizei>(selected_names.size()), selected_names.data());
          gl.RenderMode(GL_SELECT);
