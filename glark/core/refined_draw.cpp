@@ -109,7 +109,7 @@ void RefinedDraw::leave(const DrawCall& call, Cause cause) {
   pass(cause);
   Watched watched;
   watch(watched, {}, cause, call.triangles);
-  call.issue();
+  issue_unrefined(call);
 }
 
 void RefinedDraw::draw_as_asked(const DrawCall& call, const DrawPlan& plan, Cause cause, const Quiet& quiet) {
@@ -119,14 +119,29 @@ void RefinedDraw::draw_as_asked(const DrawCall& call, const DrawPlan& plan, Caus
   Watched watched;
   watch(watched, plan, cause, call.triangles);
   quiet.interrupt();
-  call.issue();
+  issue_unrefined(call);
   quiet.hush();
 }
 
-// What draws nothing captures nothing.
+// What GL refuses captures nothing, and neither does an empty draw.
+void RefinedDraw::issue_unrefined(const DrawCall& call) const {
+  const bool is_empty = is_triangle_mode(call.mode) && call.triangles == 0 && call.exact;
+  if (!parts_.feedback.awaits() || is_empty) {
+    call.issue();
+    return;
+  }
+  ErrorScope errors(env_.errors);
+  call.issue();
+  if (const GLenum error = errors.take(); error != GL_NO_ERROR) {
+    env_.errors.raise(error);
+  } else {
+    parts_.feedback.hand_back();
+  }
+}
+
 void RefinedDraw::hand_back_feedback(const DrawCall& call, Cause cause) const {
-  const bool draws_nothing = is_triangle_mode(call.mode) && call.triangles == 0;
-  if (cause != Cause::invalid_draw && !draws_nothing) {
+  const bool is_empty = is_triangle_mode(call.mode) && call.triangles == 0;
+  if (cause != Cause::invalid_draw && !is_empty) {
     parts_.feedback.hand_back_for(call.mode);
   }
 }
@@ -342,7 +357,7 @@ std::uint64_t RefinedDraw::begin_immediate(GLenum mode, MaterialSet materials, s
   const std::uint64_t room = immediate_.begin(mode, materials, least, cause);
   if (cause) {
     env_.state.conditional_rendering().apply(env_.gl);
-    parts_.feedback.hand_back_for(mode);
+    parts_.feedback.hand_back_at_begin(mode);
     pass_planned({}, *cause, 0);
     watch(open_, {}, cause, 0);
   }

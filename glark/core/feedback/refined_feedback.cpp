@@ -77,9 +77,15 @@ void RefinedFeedback::hand_back() {
 }
 
 void RefinedFeedback::hand_back_for(GLenum draw_mode) {
+  if (ours() && draw_mode <= GL_TRIANGLE_STRIP_ADJACENCY && !is_points_or_lines(draw_mode)) {
+    hand_back();
+  }
+}
+
+void RefinedFeedback::hand_back_at_begin(GLenum draw_mode) {
   const std::shared_ptr<Program> current = env_.state.programs().current();
-  const bool makes_no_primitives = current != nullptr && !current->has_stage(GL_GEOMETRY_SHADER);
-  if (mode() != GL_TRIANGLES || !is_points_or_lines(draw_mode) || !makes_no_primitives) {
+  const bool captures_mode = current == nullptr || current->has_stage(GL_GEOMETRY_SHADER);
+  if (awaited_.value_or(in_use_.mode) != GL_TRIANGLES || !is_points_or_lines(draw_mode) || captures_mode) {
     hand_back();
   }
 }
@@ -166,6 +172,7 @@ void RefinedFeedback::take_over(GLenum draw_mode) {
   env_.state.forget_bindings();
   if (!begin_refined(mode, draw_mode)) {
     env_.gl.BeginTransformFeedback(mode);
+    awaited_ = mode;
   }
   env_.state.bindings().transform_feedback.active = true;
 }

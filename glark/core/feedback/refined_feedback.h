@@ -31,8 +31,12 @@ class RefinedFeedback {
   void take_over(GLenum draw_mode);
   // Before unrefined draws: leaves the feedback to GL, unless it has captured refined triangles.
   void hand_back();
-  // The same before one draw, unless that captures nothing, as GL refuses its mode.
+  // The same before one draw, which GL may refuse. If awaits(), the caller calls hand_back() after a draw that GL did not
+  // refuse.
   void hand_back_for(GLenum draw_mode);
+  // Before an unrefined glBegin.
+  void hand_back_at_begin(GLenum draw_mode);
+  bool awaits() const { return awaited_.has_value(); }
   // glEndTransformFeedback. Resumes ours first: NVIDIA (580) takes a feedback that ends while it is paused and another
   // program is in use for one that goes on, and then refuses to link programs.
   void end();
@@ -58,7 +62,6 @@ class RefinedFeedback {
 
   // Begins with the derived program of a draw in `draw_mode`. False: nothing was done.
   bool begin_refined(GLenum mode, GLenum draw_mode);
-  GLenum mode() const { return awaited_.value_or(in_use_.mode); }
   // Returns whether the program in use can be bound again after another one.
   bool can_return() const;
   void end_ours() const;
