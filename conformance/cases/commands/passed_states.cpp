@@ -30,6 +30,7 @@ void test_stencil() {
   gl.StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
 }
 
+constexpr Apis gles_only = {Api::gles};
 constexpr GLint left_half[] = {0, 0, surface_size / 2, surface_size};
 
 // Each is set over blending, a stencil test and a depth test that all take part.
@@ -103,6 +104,18 @@ constexpr PassedState passed_states[] = {
        gl.PatchParameterfv(GL_PATCH_DEFAULT_OUTER_LEVEL, levels);
      },
      desktop_apis},
+    {"index_mask", [] { gl.IndexMask(0); }, compat_only},  // of colour indices, which the surface does not have
+    {"selection_names",
+     [] {  // RenderMode is RENDER, so that GL ignores them
+       gl.InitNames();
+       gl.PushName(1);
+       gl.LoadName(2);
+       gl.PopName();
+       gl.PassThrough(3);
+     },
+     compat_only},
+    {"blend_barrier", [] { gl.BlendBarrier(); }, gles_only},
+    {"primitive_bounding_box", [] { gl.PrimitiveBoundingBox(-1, -1, -1, 1, 1, 1, 1, 1); }, gles_only},
     {"query_counter",
      [] {
        GLuint query = 0;
