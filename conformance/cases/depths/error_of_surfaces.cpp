@@ -35,7 +35,7 @@ struct Shaping {
 
 // The heights are a parabola: 0 at both ends of the texture and 1 in the middle, in channel 0. Other channels are lower.
 constexpr int map_width = 256;
-constexpr double share_of_channel[] = {1, 0.5, 0.25, 0.125};
+constexpr double share_of_channel[] = {1, 0.5, 0.05, 0.01};
 double parabola(double s) { return 4 * s * (1 - s); }
 
 void bind_parabola(GLenum unit) {

@@ -154,7 +154,24 @@ constexpr HeightReader height_readers[] = {
     {.leaf = "welded", .is_welded = true},
     {.leaf = "welded_curved", .refinement = GL_CURVED_PN_ARK, .is_welded = true}};
 
-// Then the texture of the unit is replaced, after many draws.
+// Whether the triangle lies before this depth in normalized device coordinates, drawn to the screen.
+bool lies_before(double depth) {
+  clear_surface();
+  gl.ClearDepthf(static_cast<GLfloat>(depth / 2 + 0.5));
+  gl.Clear(GL_DEPTH_BUFFER_BIT);
+  gl.Enable(GL_DEPTH_TEST);
+  gl.DrawArrays(GL_TRIANGLES, 0, 3);
+  gl.Disable(GL_DEPTH_TEST);
+  return count_different(read_picture(surface_size, surface_size), Picture(surface_size, surface_size), 8) > 400;
+}
+
+void expect_depth(Test& t, double height, const std::string& what) {
+  const double depth = 0.5 * height + 0.125;
+  t.expect(lies_before(depth + 0.004) && !lies_before(depth - 0.004), what + ": the height on the screen");
+}
+
+// Then the texture of the unit is replaced, after many draws. An implementation may refine differently with transform
+// feedback.
 void check_reader(Test& t, const HeightReader& reader) {
   gl.UseProgram(surface_program(t));
   const Mesh mesh = level_triangle();
@@ -166,10 +183,13 @@ void check_reader(Test& t, const HeightReader& reader) {
   for (const GLint unit : telling_units()) {
     gl.ARKParameteriARK(GL_DISPLACEMENT_UNIT_ARK, unit);
     repeat_often([] { gl.DrawArrays(GL_TRIANGLES, 0, 3); });
+    expect_depth(t, height_of(unit), fmt::format("unit {}", unit));
     if (!expect_height(t, mesh, height_of(unit), fmt::format("unit {}", unit))) return;
+    repeat_often([] { gl.DrawArrays(GL_TRIANGLES, 0, 3); });
     gl.ActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(unit));
     gl.BindTexture(GL_TEXTURE_2D, other);
     gl.ActiveTexture(GL_TEXTURE0);
+    expect_depth(t, 251 / 255.0, fmt::format("another texture of unit {}", unit));
     if (!expect_height(t, mesh, 251 / 255.0, fmt::format("another texture of unit {}", unit))) return;
   }
   t.expect_no_error("the draws");
