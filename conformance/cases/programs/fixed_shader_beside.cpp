@@ -54,6 +54,7 @@ constexpr FragmentSide fragment_sides[] = {
     {"alone", [](Test&) { gl.UseProgram(0); }},
     {"program", [](Test& t) { gl.UseProgram(fragment_only(t, old_fragment, false)); }},
     {"program_150", [](Test& t) { gl.UseProgram(fragment_only(t, new_fragment, false)); }},
+    {"separable", [](Test& t) { gl.UseProgram(fragment_only(t, new_fragment, true)); }},
     {"assembly", [](Test&) { use_assembly(); }},
     {"relinked",
      [](Test& t) {

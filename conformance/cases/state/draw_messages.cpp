@@ -17,7 +17,6 @@ struct ToldWay {
   const char* leaf;
   void (*draw)();
   Apis apis = every_api;
-  bool is_one_command = true;
 };
 
 constexpr GLsizei told_vertices = 3;
@@ -61,21 +60,21 @@ constexpr ToldWay told_ways[] = {
     {"multi_draw_arrays_indirect", [] { gl.MultiDrawArraysIndirect(GL_TRIANGLES, nullptr, 1, 0); }, desktop_apis},
     {"draw_arrays_instanced_base_instance",
      [] { gl.DrawArraysInstancedBaseInstance(GL_TRIANGLES, 0, told_vertices, 1, 0); }, desktop_apis},
-    {"begin", told_begin, compat_only, false},
+    {"begin", told_begin, compat_only},
     {"begin_fan",
      [] {
        gl.Begin(GL_TRIANGLE_FAN);
        for (const MeshVertex& vertex : one_triangle()) gl.VertexAttrib4fv(at_position, vertex.position.data());
        gl.End();
      },
-     compat_only, false},
+     compat_only},
     {"array_elements",
      [] {
        gl.Begin(GL_TRIANGLES);
        for (GLint i = 0; i < told_vertices; ++i) gl.ArrayElement(i);
        gl.End();
      },
-     compat_only, false},
+     compat_only},
     {"call_list", [] { gl.CallList(1); }, compat_only},
     {"call_lists",
      [] {
@@ -179,7 +178,7 @@ void check_left(Test& t, const LeftReason& reason) {
     const Messages messages = listener.take(2);
     if (t.expect_equal(messages.size(), 1U, what + ": messages of the first draw")) {
       expect_message(t, messages, false, what);
-      if (std::string(reason.leaf) == "shader_error" && way.is_one_command)
+      if (std::string(reason.leaf) == "shader_error")
         t.expect(has(messages[0].text, "not_declared"), what + ": the message includes the log");
     }
     way.draw();

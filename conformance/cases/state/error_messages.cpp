@@ -195,6 +195,23 @@ void check_draw_values(Test& t) {
   expect_all_told(t, calls);
 }
 
+// The errors that DrawElements generates as well.
+void check_element_values(Test& t) {
+  upload(one_triangle());
+  gl.UseProgram(colour_program(t));
+  gl.ARKinit(2);
+  GLuint buffer = 0;
+  gl.GenBuffers(1, &buffer);
+  gl.BindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffer);
+  constexpr GLushort indices[] = {0, 1, 2};
+  gl.BufferData(GL_ELEMENT_ARRAY_BUFFER, sizeof(indices), indices, GL_STATIC_DRAW);
+  expect_all_told(t,
+                  {{"DrawARPElementsARK", GL_INVALID_VALUE, spellings_of(-77),
+                    [] { gl.DrawARPElementsARK(GL_TRIANGLES, -77, GL_UNSIGNED_SHORT, nullptr); }, "a negative count"},
+                   {"DrawARPElementsARK", GL_INVALID_ENUM, spellings_of(GL_FLOAT, "gl_float"),
+                    [] { gl.DrawARPElementsARK(GL_TRIANGLES, 3, GL_FLOAT, nullptr); }, "FLOAT"}});
+}
+
 void check_listed_draws(Test& t) {
   gl.ARKinit(2);
   Listener listener;  // Enable would be compiled
@@ -307,6 +324,8 @@ Cases error_messages_cases() {
       optional(value_case("great_stride", clauses, "A stride above the limit.", without_value, check_great_stride)),
       value_case("draws", clauses, "Wrong modes, negative numbers, and draws before ARKinit.", without_value,
                  check_draw_values),
+      value_case("elements", clauses, "A negative count and a wrong type of indices.",
+                 "The error comes from DrawElements, without a message.", check_element_values),
       value_case("listed", clauses, "Draw while a list is compiled.", "The error comes without a message.",
                  check_listed_draws, compat_only),
       value_case("programs", clauses, "Wrong names, counts, sizes and properties for the three commands of programs.",
