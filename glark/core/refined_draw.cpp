@@ -358,7 +358,7 @@ std::uint64_t RefinedDraw::begin_immediate(GLenum mode, MaterialSet materials, s
   if (cause) {
     env_.state.conditional_rendering().apply(env_.gl);
     parts_.feedback.hand_back_at_begin(mode);
-    pass_planned({}, *cause, 0);
+    pass_planned(immediate_.plan(), *cause, 0);
     watch(open_, {}, cause, 0);
   }
   return room;

@@ -26,6 +26,9 @@ class ImmediateCapture {
   // `cause`.
   std::uint64_t begin(GLenum mode, MaterialSet materials, std::uint64_t least, std::optional<Cause>& cause);
 
+  // Of the last begin(), until end().
+  const DrawPlan& plan() const { return plan_; }
+
   struct Captured {
     DrawPlan plan;
     capture::CoarseTriangles triangles;

@@ -271,6 +271,17 @@ void DrawARPElementsARK(Context& c, GLenum mode, GLsizei count, GLenum type, con
                     "display lists do not take it; draw with GL_ARK enabled instead");
     return;
   }
+  if (count < 0) {
+    track::complain(c, GL_INVALID_VALUE, "glDrawARPElementsARK", fmt::format("count {} is negative", count));
+    return;
+  }
+  if (type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT && type != GL_UNSIGNED_INT) {
+    track::complain(c, GL_INVALID_ENUM, "glDrawARPElementsARK",
+                    fmt::format("indices of type 0x{:04X} do not exist; use GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT or "
+                                "GL_UNSIGNED_INT",
+                                type));
+    return;
+  }
   with_ark(c, [&] { DrawElements(c, mode, count, type, indices); });
 }
 

@@ -277,7 +277,9 @@ void set_feedback_varyings(const gl::Dispatch& gl, const core::LinkSettings& set
 
 void copy_link_settings(const gl::Dispatch& gl, const core::Program& from, GLuint to) {
   const core::LinkSettings& settings = from.link_settings;
-  gl.ProgramParameteri(to, GL_PROGRAM_SEPARABLE, settings.separable ? GL_TRUE : GL_FALSE);
+  // Beside the fixed function, the program also has a vertex stage of ours, which does not redeclare gl_PerVertex.
+  const bool separable = settings.separable && from.has_stage(GL_VERTEX_SHADER);
+  gl.ProgramParameteri(to, GL_PROGRAM_SEPARABLE, separable ? GL_TRUE : GL_FALSE);
   copy_fragment_outputs(gl, from.name, to);
   set_feedback_varyings(gl, settings, to);
   for (std::size_t i = 0; i < settings.geometry.size(); ++i) {
