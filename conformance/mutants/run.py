@@ -5,10 +5,10 @@
 
     conformance/mutants/run.py [--build build/release] [--filter GLOB] [--table docs/reference/conformance.md]
 
-The run copies the sources to BUILD/mutants/source, makes one mutant at a time there, and builds only the library. It begins
-with the true implementation: a case that fails there counts for no mutant. A mutant is caught if a case fails. Cases that cite
-its sentence run first, and all others only if these pass. Exit status: 0 if the true implementation passes and every mutant
-is caught, 1 otherwise, 2 if a mutant cannot be made.
+The run copies the sources to BUILD/mutants/source, makes one mutant at a time there, and builds only the library. A mutant is
+caught if a case fails that passes with the true implementation. Cases that cite its sentence run first, and all others only if
+these pass. Exit status: 0 if every mutant is caught and the true implementation passes the cases that catch them, 1 otherwise,
+2 if a mutant cannot be made.
 """
 import argparse
 import contextlib
@@ -152,7 +152,8 @@ class Laboratory:
         self.folder = build / "mutants"
         self.source = self.folder / "source"
         self.library = self.folder / "build/lib/libGLARK.so"
-        self.known = {}  # {API: cases that the true implementation fails}
+        self.truth = self.folder / "libGLARK.so"
+        self.known = {}  # {API: {case: whether the true implementation passes it}}, of cases that a mutant has failed
         self.catchers = catchers_in(TABLE.read_text()) if arguments.first else {}
         cases = json.loads(self.call("--list", "--json").stdout)["cases"]
         self.cases = {case["name"]: case["clauses"] for case in cases if case["written"]}
@@ -181,7 +182,19 @@ class Laboratory:
 
     def judge(self, api: str, names: list, batch: int, *options) -> list:
         """Returns the names of cases that failed, without those that the true implementation fails, in the order of the run."""
-        names = [name for name in names if name not in self.known.get(api, ())]
+        known = self.known.setdefault(api, {})
+        while True:
+            names = [name for name in names if known.get(name, True)]
+            failed = self.judge_library(self.library, api, names, batch, *options)
+            new = [name for name in failed if name not in known]
+            if new:
+                wrong = self.judge_library(self.truth, api, new, 1)
+                known |= {name: name not in wrong for name in new}
+            caught = [name for name in failed if known[name]]
+            if caught or not failed:
+                return caught
+
+    def judge_library(self, library: pathlib.Path, api: str, names: list, batch: int, *options) -> list:
         if not names:
             return []
         report = self.folder / "report"
@@ -189,24 +202,25 @@ class Laboratory:
         case_list = self.folder / "cases"
         case_list.write_text("\n".join(names) + "\n")
         platform = "egl" if api == "gles" else "osmesa"
-        done = self.call("--platform", platform, "--api", api, "--implementation", self.library, "--caselist", case_list, "--jobs",
+        done = self.call("--platform", platform, "--api", api, "--implementation", library, "--caselist", case_list, "--jobs",
                          self.jobs, "--batch", batch, "--report", report, *options)
         if not (report / "results.json").is_file():
             raise Complaint(f"glark-conformance has not judged anything:\n{done.stderr}")
         records = json.loads((report / "results.json").read_text())["results"]
         return [record["name"] for record in records if record["verdict"] not in PASSING]
 
-    def judge_truth(self, apis: list) -> list:
+    def make_truth(self) -> None:
         problem = self.make_library()
         if problem:
             raise Complaint(f"the true implementation: {problem}")
-        for api in apis:
-            failed = self.judge(api, list(self.cases), BATCH)
-            self.known[api] = set(failed)
-            print(f"the true implementation, {api}: {len(self.cases)} cases, {len(failed)} failed", flush=True)
-            for name in failed:
-                print(f"    {name}", flush=True)
-        return [name for failed in self.known.values() for name in failed]
+        shutil.copyfile(self.library, self.truth)
+
+    def print_wrong(self) -> bool:
+        """Prints the cases that the true implementation failed. Returns whether there are any."""
+        wrong = [(api, name) for api, known in self.known.items() for name, passes in known.items() if not passes]
+        for api, name in wrong:
+            print(f"the true implementation fails {name}, {api}")
+        return bool(wrong)
 
     def try_mutant(self, mutant: Mutant) -> Outcome:
         began = time.monotonic()
@@ -265,7 +279,7 @@ def run(arguments: argparse.Namespace, mutants: list) -> int:
         raise Complaint(f"{arguments.table} is missing")
     laboratory = Laboratory(arguments)
     laboratory.configure()
-    wrong = laboratory.judge_truth(sorted({api for mutant in mutants for api in mutant.apis()}))
+    laboratory.make_truth()
     outcomes = []
     for mutant in mutants:
         outcome = laboratory.try_mutant(mutant)
@@ -273,6 +287,7 @@ def run(arguments: argparse.Namespace, mutants: list) -> int:
         print(f"{mutant.name:32} {mutant.clause:14} {outcome.seconds:6.1f} s {len(outcome.failed):4}  {outcome.caught_by()}", flush=True)
         if arguments.table:
             write_table(pathlib.Path(arguments.table), outcomes, [mutant.name for mutant in read_mutants()], arguments.first)
+    wrong = laboratory.print_wrong()
     missed = [outcome for outcome in outcomes if not outcome.failed]
     print(f"{len(outcomes) - len(missed)} of {len(outcomes)} mutants are caught")
     for outcome in missed:

@@ -36,6 +36,10 @@ void count_refined(const DrawPlan& plan) {
   count_fallback(plan.fallback);
 }
 
+bool is_empty(const DrawCall& call, Cause cause) {
+  return cause == Cause::not_triangles && is_triangle_mode(call.mode) && call.triangles == 0;
+}
+
 }  // namespace
 
 RefinedDraw::RefinedDraw(const Environment& environment, const Parts& parts)
@@ -109,7 +113,7 @@ void RefinedDraw::leave(const DrawCall& call, Cause cause) {
   pass(cause);
   Watched watched;
   watch(watched, {}, cause, call.triangles);
-  issue_unrefined(call);
+  issue_unrefined(call, cause);
 }
 
 void RefinedDraw::draw_as_asked(const DrawCall& call, const DrawPlan& plan, Cause cause, const Quiet& quiet) {
@@ -119,14 +123,13 @@ void RefinedDraw::draw_as_asked(const DrawCall& call, const DrawPlan& plan, Caus
   Watched watched;
   watch(watched, plan, cause, call.triangles);
   quiet.interrupt();
-  issue_unrefined(call);
+  issue_unrefined(call, cause);
   quiet.hush();
 }
 
 // What GL refuses captures nothing, and neither does an empty draw.
-void RefinedDraw::issue_unrefined(const DrawCall& call) const {
-  const bool is_empty = is_triangle_mode(call.mode) && call.triangles == 0 && call.exact;
-  if (!parts_.feedback.awaits() || is_empty) {
+void RefinedDraw::issue_unrefined(const DrawCall& call, Cause cause) const {
+  if (!parts_.feedback.awaits() || is_empty(call, cause)) {
     call.issue();
     return;
   }
@@ -140,8 +143,7 @@ void RefinedDraw::issue_unrefined(const DrawCall& call) const {
 }
 
 void RefinedDraw::hand_back_feedback(const DrawCall& call, Cause cause) const {
-  const bool is_empty = is_triangle_mode(call.mode) && call.triangles == 0;
-  if (cause != Cause::invalid_draw && !is_empty) {
+  if (cause != Cause::invalid_draw && !is_empty(call, cause)) {
     parts_.feedback.hand_back_for(call.mode);
   }
 }
