@@ -50,6 +50,10 @@ const NameCase name_cases[] = {
     {"normal.vec4", "vec4 position", "vec4 decoy", "vec4 normal", "", true, false},
     {"normal.order.normal_before_nrm", "vec4 position", "vec4 decoy", "vec3 Normal", "vec3 nrm", true, false},
     {"normal.order.nrm_before_norm", "vec4 position", "vec4 decoy", "vec3 nrm", "vec3 norm", true, false},
+    {"position.texture_coordinate_is_none", "vec3 texcoord", "vec4 my_coord", "vec3 normal", "", false, true},
+    {"position.texture_position_is_none", "vec3 texturePosition", "vec4 pos", "vec3 normal", "", false, true},
+    {"normal.normalize_does_not_count", "vec4 position", "vec4 decoy", "vec3 norm", "vec3 normalize_me", true, false},
+    {"normal.normalised_alone", "vec4 position", "vec4 decoy", "vec3 is_normalised", "", false, false},
     {"normal.none", "vec4 position", "vec4 decoy", "vec3 n", "", false, false},
 };
 
@@ -214,7 +218,7 @@ Case name_case(const NameCase& names) {
   const bool is_normal = names.leaf.starts_with("normal");
   return {
       .name = "ark.pn.names." + names.leaf,
-      .clauses = is_normal ? std::vector<std::string>{"11.R.7-21"} : std::vector<std::string>{"11.R.7-4", "issues-38"},
+      .clauses = is_normal ? std::vector<std::string>{"11.R.7-23"} : std::vector<std::string>{"11.R.7-24", "issues-38"},
       .plan = "A program with the inputs " + names.first + ", " + names.second + ", " + names.normal +
               (names.other_normal.empty() ? "" : " and " + names.other_normal) +
               " where the first two have the same values: which of them is curved?",
@@ -270,7 +274,7 @@ Cases pn_input_names_cases() {
   Cases cases;
   for (const NameCase& names : all_name_cases()) cases.push_back(name_case(names));
   cases.push_back({.name = "ark.pn.names.built_in",
-                   .clauses = {"11.R.7-3", "11.R.7-21"},
+                   .clauses = {"11.R.7-3", "11.R.7-23"},
                    .plan = "A vertex stage that reads gl_Vertex, gl_Normal, and inputs named position and normal.",
                    .wrong = "The named input comes before the built-in one.",
                    .apis = compat_only,
