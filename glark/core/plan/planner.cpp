@@ -2,27 +2,23 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/plan/planner.h"
 
-#include <fmt/format.h>
-
 #include <cstring>
 #include <string>
 
 #include "glark/core/plan/depths/budget_choice.h"
 #include "glark/core/plan/depths/depth_choice.h"
-#include "glark/core/plan/draw_notes.h"
 #include "glark/core/plan/facets.h"
 #include "glark/core/plan/inputs/instanced_inputs.h"
 #include "glark/core/plan/programs/compile_choice.h"
 #include "glark/core/plan/programs/derived_key.h"
 #include "glark/core/plan/programs/program_choice.h"
 #include "glark/core/plan/refinement_choice.h"
+#include "glark/core/plan/tell_notes.h"
 #include "glark/core/plan/unrefined/draw_rules.h"
 #include "glark/core/plan/unrefined/exemptions.h"
 #include "glark/core/plan/unrefined/state_check.h"
 #include "glark/core/plan/vertex_keeping.h"
 #include "glark/core/refine/attribute_locations.h"
-#include "glark/core/refine/program/labels.h"
-#include "glark/core/report/log.h"
 #include "glark/core/shape.h"
 #include "glark/core/state/draw_state.h"
 
@@ -273,7 +269,7 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
   const RefinementChoice choice = refinement_choice(env_, *plan.program, variation, plan.wanted, normal.attribute);
   plan.fallback = choice.fallback;
   if (smooth() && choice.fallback) {
-    tell_notes(*plan.program, {.fallback = choice.fallback, .transparent = true, .left = true});
+    tell_notes(env_, *plan.program, {.fallback = choice.fallback, .transparent = true, .left = true});
     return Cause::no_surface;
   }
   if (const std::optional<Cause> cause = spend_budget(call, plan, choice.refinement)) {
@@ -295,7 +291,7 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
   if (plan.derived == nullptr) {
     return Cause::program_not_derived;
   }
-  tell_notes(*plan.program,
+  tell_notes(env_, *plan.program,
              {.refinement = choice.refinement,
               .fallback = choice.fallback,
               .transparent = env_.options.transparent,
@@ -342,32 +338,6 @@ std::uint32_t Planner::instanced_inputs_of(const DrawCall& call, const Program& 
     const AttributeSource& source = env_.state.arrays().attribute_source(location);
     return source.enabled && source.divisor != 0;
   });
-}
-
-void Planner::tell_notes(Program& program, DrawNoteFacts facts) const {
-  const bool audible = !facts.transparent && env_.bindings().debug_output;
-  ToldNotes& told = *program.told_notes;
-  const unsigned all = note_bits(facts);
-  const unsigned logs = all & ~told.logged;
-  const unsigned sends = audible ? all & ~told.sent : 0;
-  if ((logs | sends) == 0) {
-    return;
-  }
-  told.logged |= logs;
-  told.sent |= sends;
-  const refine::OutputVariation* const position = program.traits.variation.position();
-  facts.fixed_function = program.fixed_function;
-  facts.construct = facts.fallback == RefinementFallback::unsound_stage && position != nullptr ? position->reason : "";
-  const auto text_of_note = [&](const DrawNote& note) {
-    return fmt::format("{} {}", refine::label(program), note.text);
-  };
-  for (const DrawNote& note : draw_notes(facts, logs)) {
-    log(facts.transparent ? LogLevel::info : LogLevel::warning, text_of_note(note));
-  }
-  const DebugOutput application{env_.gl, audible, true};
-  for (const DrawNote& note : draw_notes(facts, sends)) {
-    application.send(note.id, text_of_note(note));
-  }
 }
 
 // A draw stays unwelded if its tables would be too large, or if its record with welded words would have to be stored

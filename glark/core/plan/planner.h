@@ -9,7 +9,6 @@
 
 #include "glark/core/meshes/mesh_watch.h"
 #include "glark/core/pattern/pool_in_use.h"
-#include "glark/core/plan/draw_notes.h"
 #include "glark/core/plan/draw_plan.h"
 #include "glark/core/plan/feedback_in_use.h"
 #include "glark/core/plan/polygons/polygon_capture.h"
@@ -59,7 +58,6 @@ class Planner {
   std::optional<Cause> choose_wanted(DrawPlan& plan) const;
   std::uint32_t instanced_inputs_of(const DrawCall& call, const Program& program) const;
   // Tells each note once for each program.
-  void tell_notes(Program& program, DrawNoteFacts facts) const;
   void choose_depths(const DrawCall& call, DrawPlan& plan) const;
   bool changes_nothing(const DrawPlan& plan, Purpose purpose) const;
   std::optional<Cause> spend_budget(const DrawCall& call, DrawPlan& plan, Refinement chosen) const;
