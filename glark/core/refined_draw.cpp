@@ -58,7 +58,7 @@ void RefinedDraw::run(const DrawCall& call) {
     return;
   }
   const ConditionLifted lifted(env_.state.conditional_rendering(), env_.gl);
-  parts_.feedback.take_over(call.never_refined ? GL_NONE : call.mode);
+  parts_.feedback.take_over(call);
   const Decision decision = parts_.planner.plan(call);
   if (decision.cause == Cause::not_triangles && parts_.feedback.refuses(call.mode)) {
     env_.errors.raise(GL_INVALID_OPERATION);
@@ -354,7 +354,8 @@ std::uint64_t RefinedDraw::begin_immediate(GLenum mode, MaterialSet materials, s
   ++statistics().draws_seen;
   const Quiet quiet = env_.state.quiet();
   env_.state.conditional_rendering().lift(env_.gl);  // until end_immediate()
-  parts_.feedback.take_over(mode);
+  const auto nothing = [] {};
+  parts_.feedback.take_over({.mode = mode, .whole_polygons = true, .materials = materials, .issue = nothing});
   std::optional<Cause> cause;
   const std::uint64_t room = immediate_.begin(mode, materials, least, cause);
   if (cause) {

@@ -35,12 +35,11 @@ void RefinedFeedback::set_program(std::shared_ptr<DerivedProgram> program) {
   env_.state.bindings().transform_feedback.ours = in_use_.ours();
 }
 
-bool RefinedFeedback::begin_refined(GLenum mode, GLenum draw_mode) {
+bool RefinedFeedback::begin_refined(GLenum mode, const DrawCall& call) {
   const Quiet quiet = env_.state.quiet();
-  const auto nothing = [] {};
-  const bool tagged = env_.ark.depth_source == DepthSource::tag;
-  const DrawCall call{.mode = draw_mode, .tags_vary = tagged, .issue = nothing};
-  const Decision decision = planner_.plan(call, Planner::Purpose::feedback);
+  DrawCall planned = call;
+  planned.tags_vary = env_.ark.depth_source == DepthSource::tag;  // they may in later draws
+  const Decision decision = planner_.plan(planned, Planner::Purpose::feedback);
   const DrawPlan& plan = decision.plan;
   if (decision.cause || plan.pipeline != nullptr ||
       (plan.owner != nullptr ? feedback_mode(env_.gl, *plan.owner, plan.derived->name) : GL_TRIANGLES) != mode) {
@@ -157,8 +156,8 @@ void RefinedFeedback::end() {
   awaited_.reset();
 }
 
-void RefinedFeedback::take_over(GLenum draw_mode) {
-  if (!awaited_ || !env_.ark.enabled || !is_triangle_mode(draw_mode)) {
+void RefinedFeedback::take_over(const DrawCall& call) {
+  if (!awaited_ || !env_.ark.enabled || call.never_refined || !is_triangle_mode(call.mode)) {
     return;
   }
   env_.state.refresh();
@@ -170,7 +169,7 @@ void RefinedFeedback::take_over(GLenum draw_mode) {
   // Nothing has been captured: the feedback may begin again, with another program.
   env_.gl.EndTransformFeedback();
   env_.state.forget_bindings();
-  if (!begin_refined(mode, draw_mode)) {
+  if (!begin_refined(mode, call)) {
     env_.gl.BeginTransformFeedback(mode);
     awaited_ = mode;
   }

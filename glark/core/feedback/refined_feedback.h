@@ -28,7 +28,7 @@ class RefinedFeedback {
   // Another feedback object is bound. The feedback of `previous`, if it is active, is paused.
   void bound(GLuint previous, GLuint object);
   // Before a draw that may be refined.
-  void take_over(GLenum draw_mode);
+  void take_over(const DrawCall& call);
   // Before unrefined draws: leaves the feedback to GL, unless it has captured refined triangles.
   void hand_back();
   // The same before one draw, which GL may refuse. If awaits(), the caller calls hand_back() after a draw that GL did not
@@ -60,8 +60,8 @@ class RefinedFeedback {
     std::optional<GLenum> awaited;
   };
 
-  // Begins with the derived program of a draw in `draw_mode`. False: nothing was done.
-  bool begin_refined(GLenum mode, GLenum draw_mode);
+  // Begins with the derived program of a draw. False: nothing was done.
+  bool begin_refined(GLenum mode, const DrawCall& call);
   // Returns whether the program in use can be bound again after another one.
   bool can_return() const;
   void end_ours() const;
