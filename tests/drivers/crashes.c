@@ -113,6 +113,16 @@ static void draw_feedback_of_shader(void) {
   glRenderMode(GL_RENDER);
 }
 
+// Compiles a list in which a vertex comes before evaluated ones.
+static void compile_evaluated_vertices(void) {
+  glNewList(1, GL_COMPILE);
+  glBegin(GL_TRIANGLES);
+  glVertex2f(0, 0);
+  for (int i = 0; i < 14; ++i) glEvalCoord1f((float)i / 14);
+  glEnd();
+  glEndList();
+}
+
 static struct {
   const char* name;
   void (*draw)(void);
@@ -120,7 +130,8 @@ static struct {
 } crashes[] = {{"capture_and_clip", capture_and_clip, 0},
                {"captured_integers", draw_captured_integers, 0},
                {"program_string_again", draw_replaced_text, 0},
-               {"feedback_of_shaders", draw_feedback_of_shader, 0}};
+               {"feedback_of_shaders", draw_feedback_of_shader, 0},
+               {"evaluated_list", compile_evaluated_vertices, 0}};
 enum { crash_count = sizeof(crashes) / sizeof(crashes[0]) };
 
 static unsigned signal_of(void (*draw)(void)) {
