@@ -109,7 +109,6 @@ void RefinedDraw::draw_refined(const DrawCall& call, const DrawPlan& plan, const
 void RefinedDraw::leave(const DrawCall& call, Cause cause) {
   env_.state.refresh();
   parts_.meshes.judge(call, {}, cause);
-  parts_.feedback.hand_back_for(call.mode);
   pass(cause);
   Watched watched;
   watch(watched, {}, cause, call.triangles);
@@ -117,7 +116,6 @@ void RefinedDraw::leave(const DrawCall& call, Cause cause) {
 }
 
 void RefinedDraw::draw_as_asked(const DrawCall& call, const DrawPlan& plan, Cause cause, const Quiet& quiet) {
-  hand_back_feedback(call, cause);
   pass_planned(plan, cause, call.triangles);
   const ConditionApplied condition(env_.state.conditional_rendering(), env_.gl);
   Watched watched;
@@ -129,7 +127,12 @@ void RefinedDraw::draw_as_asked(const DrawCall& call, const DrawPlan& plan, Caus
 
 // What GL refuses captures nothing, and neither does an empty draw.
 void RefinedDraw::issue_unrefined(const DrawCall& call, Cause cause) const {
-  if (!parts_.feedback.awaits() || is_empty(call, cause)) {
+  if (is_empty(call, cause) || cause == Cause::invalid_draw || !parts_.feedback.watches_draws()) {
+    call.issue();
+    return;
+  }
+  parts_.feedback.hand_back_for(call.mode);
+  if (!parts_.feedback.awaits()) {
     call.issue();
     return;
   }
@@ -139,12 +142,6 @@ void RefinedDraw::issue_unrefined(const DrawCall& call, Cause cause) const {
     env_.errors.raise(error);
   } else {
     parts_.feedback.hand_back();
-  }
-}
-
-void RefinedDraw::hand_back_feedback(const DrawCall& call, Cause cause) const {
-  if (cause != Cause::invalid_draw && !is_empty(call, cause)) {
-    parts_.feedback.hand_back_for(call.mode);
   }
 }
 

@@ -73,7 +73,6 @@ class RefinedDraw {
   void draw_left_half(const HalfWindow& half, const DrawCall& call, const Quiet& quiet) const;
   void pass(Cause cause);
   void draw_as_asked(const DrawCall& call, const DrawPlan& plan, Cause cause, const Quiet& quiet);
-  void hand_back_feedback(const DrawCall& call, Cause cause) const;
   void issue_unrefined(const DrawCall& call, Cause cause) const;
   void pass_planned(const DrawPlan& plan, Cause cause, std::uint64_t triangles);
   void count_class(const DrawPlan& plan, std::optional<Cause> cause, std::uint64_t triangles);

@@ -115,7 +115,7 @@ int needed_depth(const Shaping& shaping, const Mesh& mesh, std::size_t edge, dou
   return depth;
 }
 
-// In the plane of the screen. Normals are turned against the edges, or are all upright.
+// A triangle in the plane z = 0. So are its normals: in three directions if `is_bent`, otherwise all along +y.
 Mesh shaped_triangle(bool is_bent) {
   Mesh mesh = one_triangle({6, 6, 6});
   const double degrees[] = {115, 65, 150};

@@ -42,6 +42,14 @@ Mesh coloured_mesh() {
   return mesh;
 }
 
+GLuint set_up_feedback(Test& t) {
+  const GLuint program = feedback_program(t);
+  gl.UseProgram(program);
+  upload(coloured_mesh(), false);
+  refine_uniformly(2);
+  return program;
+}
+
 using Vertices = std::vector<FeedbackVertex>;
 Vertices captured(Test& t, const std::function<void()>& draw) { return capture_as<FeedbackVertex>(t, 4000, draw); }
 
@@ -83,9 +91,7 @@ const LateChange late_changes[] = {
 };
 
 void check_late(Test& t, const LateChange& late) {
-  gl.UseProgram(feedback_program(t));
-  upload(coloured_mesh(), false);
-  refine_uniformly(2);
+  set_up_feedback(t);
   gl.ARKinit(4);
   gl.DepthTag1i(1);
   late.before();
@@ -114,11 +120,8 @@ const Refusal refusals_of_begin[] = {
 };
 
 void check_refused_begin(Test& t, const Refusal& refusal) {
-  const GLuint program = feedback_program(t);
+  const GLuint program = set_up_feedback(t);
   const GLuint other = feedback_program(t);
-  gl.UseProgram(program);
-  upload(coloured_mesh(), false);
-  refine_uniformly(2);
   const Vertices expected = captured(t, draw_mesh);
   GLuint own = 0;
   gl.GenBuffers(1, &own);
@@ -143,11 +146,8 @@ void check_refused_begin(Test& t, const Refusal& refusal) {
 }
 
 void check_other_program(Test& t, bool has_drawn) {
-  const GLuint program = feedback_program(t);
+  const GLuint program = set_up_feedback(t);
   const GLuint other = feedback_program(t);
-  gl.UseProgram(program);
-  upload(coloured_mesh(), false);
-  refine_uniformly(2);
   const auto draw_before = [&] {
     if (has_drawn) draw_mesh();
   };
@@ -237,9 +237,7 @@ const CoarseDraw coarse_draws[] = {
 };
 
 void check_coarse(Test& t, const CoarseDraw& coarse) {
-  gl.UseProgram(feedback_program(t));
-  upload(coloured_mesh(), false);
-  refine_uniformly(2);
+  set_up_feedback(t);
   Vertices expected;
   plain([&] { expected = captured(t, coarse.draw); });
   t.expect(!expected.empty(), "the control: GL captures the draw without ARK");
@@ -267,9 +265,7 @@ void check_coarse(Test& t, const CoarseDraw& coarse) {
 
 // A draw without ARK stays captured if DrawARP follows.
 void check_plain_first(Test& t) {
-  gl.UseProgram(feedback_program(t));
-  upload(coloured_mesh(), false);
-  refine_uniformly(2);
+  set_up_feedback(t);
   gl.Disable(GL_ARK);
   const Vertices expected = captured(t, draw_mesh);
   Vertices found = captured(t, [] {
@@ -283,9 +279,7 @@ void check_plain_first(Test& t) {
 
 // GL refuses these modes while triangles are captured, and is then not between Begin and End.
 void check_refused_modes(Test& t, bool has_drawn) {
-  gl.UseProgram(feedback_program(t));
-  upload(coloured_mesh(), false);
-  refine_uniformly(2);
+  set_up_feedback(t);
   const auto draw_before = [&] {
     if (has_drawn) draw_mesh();
   };

@@ -60,7 +60,7 @@ class RefinedFeedback {
     std::optional<GLenum> awaited;
   };
 
-  // Begins with the derived program of a draw. False: nothing was done.
+  // Begins the feedback with the derived program of the draw. Does nothing and returns false if there is none.
   bool begin_refined(GLenum mode, const DrawCall& call);
   // Returns whether the program in use can be bound again after another one.
   bool can_return() const;

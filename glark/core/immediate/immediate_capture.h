@@ -26,7 +26,7 @@ class ImmediateCapture {
   // `cause`.
   std::uint64_t begin(GLenum mode, MaterialSet materials, std::uint64_t least, std::optional<Cause>& cause);
 
-  // Of the last begin(), until end().
+  // The plan that the last begin() made. end() gives it away.
   const DrawPlan& plan() const { return plan_; }
 
   struct Captured {

@@ -275,7 +275,7 @@ void DrawARPElementsARK(Context& c, GLenum mode, GLsizei count, GLenum type, con
     track::complain(c, GL_INVALID_VALUE, "glDrawARPElementsARK", fmt::format("count {} is negative", count));
     return;
   }
-  if (type != GL_UNSIGNED_BYTE && type != GL_UNSIGNED_SHORT && type != GL_UNSIGNED_INT) {
+  if (!track::is_index_type(type)) {
     track::complain(c, GL_INVALID_ENUM, "glDrawARPElementsARK",
                     fmt::format("indices of type 0x{:04X} do not exist; use GL_UNSIGNED_BYTE, GL_UNSIGNED_SHORT or "
                                 "GL_UNSIGNED_INT",

@@ -63,10 +63,6 @@ bool restarts(Context& context) {
   return context.state().bindings().primitive_restart || context.state().bindings().primitive_restart_fixed;
 }
 
-bool is_index_type(GLenum type) {
-  return type == GL_UNSIGNED_BYTE || type == GL_UNSIGNED_SHORT || type == GL_UNSIGNED_INT;
-}
-
 // The polygons of several commands or instances, if they may be split at their centroids.
 class Polygons {
  public:

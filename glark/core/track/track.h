@@ -18,6 +18,10 @@ namespace glark::core::track {
 // forbids it, but NVIDIA (580) does so at the vertex with the number of the restart index.
 bool restarts_at_vertex(Context& context, std::uint64_t end);
 
+inline bool is_index_type(GLenum type) {
+  return type == GL_UNSIGNED_BYTE || type == GL_UNSIGNED_SHORT || type == GL_UNSIGNED_INT;
+}
+
 // Records the application's draw in the display list that is being cut, or gives it to the stages.
 void draw(Context& context, const DrawCall& call);
 // refine() gives a draw to the stages; leave() issues it unrefined. Either may give the application's transform feedback

@@ -277,7 +277,8 @@ void set_feedback_varyings(const gl::Dispatch& gl, const core::LinkSettings& set
 
 void copy_link_settings(const gl::Dispatch& gl, const core::Program& from, GLuint to) {
   const core::LinkSettings& settings = from.link_settings;
-  // Beside the fixed function, the program also has a vertex stage of ours, which does not redeclare gl_PerVertex.
+  // If the application's program has no vertex shader, the fixed function's stage stands in. It does not redeclare
+  // gl_PerVertex, as a separable program must.
   const bool separable = settings.separable && from.has_stage(GL_VERTEX_SHADER);
   gl.ProgramParameteri(to, GL_PROGRAM_SEPARABLE, separable ? GL_TRUE : GL_FALSE);
   copy_fragment_outputs(gl, from.name, to);
