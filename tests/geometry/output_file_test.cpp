@@ -67,6 +67,38 @@ TEST_F(OutputFiles, ASignalRemovesTheirTemporaryNames) {
   EXPECT_EQ(1U, file_count());
 }
 
+// What a process leaves that is killed within commit().
+TEST_F(OutputFiles, ANameThatAKilledProcessLeftIsTaken) {
+  const std::filesystem::path file = made("a.ply", "old");
+  made(".a.ply.glark-new", "left");
+  OutputFile output(file);
+  output.write("new");
+  output.prepare();
+  EXPECT_EQ(3U, std::filesystem::file_size(path(".a.ply.glark-new")));
+  output.commit();
+  EXPECT_EQ(3U, std::filesystem::file_size(file));
+  EXPECT_EQ(1U, file_count());
+}
+
+TEST_F(OutputFiles, ANameThatAProcessHoldsIsLeftToIt) {
+  const std::filesystem::path file = made("a.ply", "old");
+  OutputFile first(file);
+  first.write("first");
+  first.prepare();
+  {
+    OutputFile second(file);
+    second.write("second");
+    second.prepare();
+    EXPECT_EQ(3U, file_count());
+    second.commit();
+    EXPECT_EQ(6U, std::filesystem::file_size(file));
+  }
+  EXPECT_EQ(2U, file_count());
+  first.commit();
+  EXPECT_EQ(5U, std::filesystem::file_size(file));
+  EXPECT_EQ(1U, file_count());
+}
+
 TEST(NamedFiles, NamesThatDoNotFitAreLeftOut) {
   common::NamedFiles::add(std::string(5000, 'x'));
   for (int i = 0; i < 20; ++i) common::NamedFiles::add("/nowhere/" + std::to_string(i));

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -36,9 +37,42 @@ fs::path resolved(const fs::path& file) {
 }
 
 // The name of the temporary file beside `file`. The system limits names, so that of a long one is cut.
-fs::path name_aside(const fs::path& file) {
-  const std::string end = fmt::format(".{}", getpid());
+fs::path name_aside(const fs::path& file, const std::string& end) {
   return file.parent_path() / ("." + file.filename().string().substr(0, NAME_MAX - 1 - end.size()) + end);
+}
+
+// Removes the temporary file of a process that was killed: nobody holds its lock. Who removes a name holds the lock of
+// the file that has it, so that the file of a process that runs keeps its name.
+void remove_abandoned(const fs::path& name) {
+  const int descriptor = open(name.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+  if (descriptor < 0) return;
+  struct stat locked {};
+  struct stat named {};
+  const bool abandoned = flock(descriptor, LOCK_EX | LOCK_NB) == 0 && fstat(descriptor, &locked) == 0 &&
+                         S_ISREG(locked.st_mode) && lstat(name.c_str(), &named) == 0 && locked.st_ino == named.st_ino &&
+                         locked.st_dev == named.st_dev;
+  if (abandoned) unlink(name.c_str());
+  close(descriptor);
+}
+
+// Tells remove_abandoned() that a process has the file. Some file systems have no locks; nothing is removed there.
+void hold(int descriptor) { [[maybe_unused]] const int ignored = flock(descriptor, LOCK_EX | LOCK_NB); }
+
+// Calls make(name) with a name for the temporary file of `file` that nobody has. Returns the name, or nothing if `make`
+// returns false for another reason than EEXIST; errno has it.
+template <class Make>
+fs::path make_aside(const fs::path& file, const Make& make) {
+  const fs::path usual = name_aside(file, ".glark-new");
+  for (const fs::path& name : {usual, usual, name_aside(file, fmt::format(".{}", getpid()))}) {
+    if (make(name)) {
+      common::NamedFiles::add(name.string());
+      return name;
+    }
+    if (errno != EEXIST) return {};
+    remove_abandoned(name);
+    errno = EEXIST;
+  }
+  return {};
 }
 
 // Gives the new file the owner and the mode of the file that it replaces. Only root may give files away; without the
@@ -68,12 +102,14 @@ OutputFile::OutputFile(const fs::path& file) : file_(resolved(file)) {
     // The file has no name at first, so that nothing is left behind if the process is killed.
     descriptor_ = open(file_.parent_path().c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, permissions);
     if (descriptor_ < 0 && (errno == EOPNOTSUPP || errno == EISDIR || errno == EINVAL)) {
-      aside_ = name_aside(file_);
-      common::NamedFiles::add(aside_.string());
-      descriptor_ = open(aside_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions);
+      aside_ = make_aside(file_, [this](const fs::path& name) {
+        descriptor_ = open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, permissions);
+        return descriptor_ >= 0;
+      });
     }
   }
   if (descriptor_ < 0) fail("cannot be written");
+  if (!direct_) hold(descriptor_);
   struct stat replaced {};
   if (!direct_ && stat(file_.c_str(), &replaced) == 0) take_over(descriptor_, replaced);
   buffer_.reserve(block_size);
@@ -96,10 +132,11 @@ OutputFile::OutputFile(const fs::path& file, const fs::path& partial, std::uint6
 }
 
 OutputFile::~OutputFile() {
+  if (!aside_.empty() && !stays_) {
+    common::NamedFiles::remove(aside_.string());
+    unlink(aside_.c_str());  // while its lock is held
+  }
   if (descriptor_ >= 0) close(descriptor_);
-  if (aside_.empty() || stays_) return;
-  unlink(aside_.c_str());
-  common::NamedFiles::remove(aside_.string());
 }
 
 void OutputFile::fail(const std::string& what) const {
@@ -140,22 +177,19 @@ void OutputFile::prepare() {
   if (direct_) return;
   if (fsync(descriptor_) != 0) fail("writing failed");
   if (aside_.empty()) {
-    const fs::path name = name_aside(file_);
     const std::string from = fmt::format("/proc/self/fd/{}", descriptor_);
-    common::NamedFiles::add(name.string());
-    if (linkat(AT_FDCWD, from.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) != 0) {
-      common::NamedFiles::remove(name.string());
-      fail("cannot be put in its place");
-    }
-    aside_ = name;
+    aside_ = make_aside(file_, [&from](const fs::path& name) {
+      return linkat(AT_FDCWD, from.c_str(), AT_FDCWD, name.c_str(), AT_SYMLINK_FOLLOW) == 0;
+    });
+    if (aside_.empty()) fail("cannot be put in its place");
   }
 }
 
 void OutputFile::commit() {
   prepare();
   if (direct_) return;
+  common::NamedFiles::remove(aside_.string());  // from now on the name may be that of another process
   if (rename(aside_.c_str(), file_.c_str()) != 0) fail("cannot be put in its place");
-  common::NamedFiles::remove(aside_.string());
   aside_.clear();
 }
 
