@@ -302,6 +302,33 @@ void check_refused_modes(Test& t, bool has_drawn) {
   expect_vertices(t, found, expected, "what was captured");
 }
 
+// The mode of a draw is no refinement parameter.
+void check_mixed_modes(Test& t, GLenum convention) {
+  gl.UseProgram(build_program(t, {.vertex = "layout(location = 0) in vec4 position; out vec4 colour;\n"
+                                            "void main() { colour = position.yzxw; gl_Position = position; }\n",
+                                  .fragment = "in vec4 colour; out vec4 pixel; void main() { pixel = colour; }\n",
+                                  .captured = {"gl_Position", "colour"}}));
+  upload(bent_mesh(), false);
+  refine_uniformly(2);
+  gl.ProvokingVertex(convention);
+  const auto draw = [](GLenum mode) { return [mode] { gl.DrawArrays(mode, 0, mode == GL_QUADS ? 4 : 6); }; };
+  std::vector<GLenum> modes = {GL_TRIANGLES, GL_TRIANGLE_STRIP, GL_TRIANGLE_FAN};
+  if (t.is_compat())
+    for (const GLenum mode : {GL_QUADS, GL_QUAD_STRIP, GL_POLYGON}) modes.push_back(mode);
+  Vertices expected;
+  for (int round = 0; round < 2; ++round) {
+    for (const GLenum mode : modes) {
+      const Vertices alone = captured(t, draw(mode));
+      expected.insert(expected.end(), alone.begin(), alone.end());
+    }
+  }
+  const Vertices found = captured(t, [&] {
+    for (int round = 0; round < 2; ++round)
+      for (const GLenum mode : modes) draw(mode)();
+  });
+  expect_vertices(t, found, expected, "all modes");
+}
+
 constexpr Area begun_case{"ark.after_vertex.begun."};
 
 }  // namespace
@@ -336,6 +363,13 @@ Cases begun_feedback_cases() {
         "Begin and DrawArrays of points and lines while triangles are captured.",
         "No error, or the feedback is given up.", [has_drawn](Test& t) { check_refused_modes(t, has_drawn); },
         compat_only));
+  for (const bool first : {false, true})
+    cases.push_back(begun_case(
+        fmt::format("mixed_modes.{}", first ? "first" : "last"), {"chapter-14-5"},
+        "Draws of all modes of triangles in one feedback, with both conventions of the provoking vertex.",
+        "What follows a draw of another mode is not captured, or unrefined.",
+        [first](Test& t) { check_mixed_modes(t, first ? GL_FIRST_VERTEX_CONVENTION : GL_LAST_VERTEX_CONVENTION); },
+        desktop));
   return cases;
 }
 

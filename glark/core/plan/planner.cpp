@@ -276,11 +276,12 @@ std::optional<Cause> Planner::find_derived(const DrawCall& call, DrawPlan& plan)
     return cause;
   }
   // The outputs of split polygons do not depend on the provoking vertex.
-  DerivedKey key = derived_key(key_state(env_), {.refinement = choice.refinement,
-                                                 .mode = plan.polygons ? GL_TRIANGLES : call.mode,
-                                                 .tagged = depth.adaptive && !depth.measured,
-                                                 .placed = plan.placed,
-                                                 .morphing = depth.morphing});
+  DerivedKey key = derived_key(key_state(env_), *plan.program,
+                               {.refinement = choice.refinement,
+                                .mode = plan.polygons ? GL_TRIANGLES : call.mode,
+                                .tagged = depth.adaptive && !depth.measured,
+                                .placed = plan.placed,
+                                .morphing = depth.morphing});
   key.provoking_corner = plan.provoking_corner.value_or(key.provoking_corner);
   key.normal_attribute = normal.attribute;
   key.instanced = instanced;
@@ -418,7 +419,7 @@ std::shared_ptr<DerivedProgram> Planner::derive_for_status(Program& program, Pro
   const Refinement wanted = wanted_refinement(env_.options, env_.ark);
   return parts_.programs.derived().find(
       program, owner,
-      derived_key(key_state(env_),
+      derived_key(key_state(env_), program,
                   {.refinement = refinement_choice(env_, program, program.traits.variation, wanted).refinement,
                    .mode = GL_TRIANGLES,
                    .tagged = tagged,

@@ -111,6 +111,9 @@ Inspection inspect(const std::vector<std::string>& sources, bool es, const std::
   });
   result.traits.writes_flat_outputs = std::any_of(
       outputs.begin(), outputs.end(), [&](const OutputVariable& output) { return is_flat(output, structures); });
+  result.traits.copies_provoking_vertex = std::any_of(
+      outputs.begin(), outputs.end(),
+      [&](const OutputVariable& output) { return is_flat(output, structures) || has_integers(output, structures); });
   result.ok = true;
   return result;
 }

@@ -68,6 +68,16 @@ TEST(DeriveInspect, FlatOutputs) {
       traits_of("#version 130\nsmooth out vec4 f; void main() { f = vec4(1); gl_Position = f; }").writes_flat_outputs);
 }
 
+TEST(DeriveInspect, ValuesOfTheProvokingVertex) {
+  const std::string end = " void main() { gl_Position = vec4(1); }";
+  EXPECT_TRUE(traits_of("#version 330\nflat out vec4 f;" + end).copies_provoking_vertex);
+  EXPECT_TRUE(traits_of("#version 330\nout int i;" + end).copies_provoking_vertex);
+  EXPECT_TRUE(traits_of("#version 330\nstruct S { ivec2 i; }; struct T { vec4 f; S s; }; out T t;" + end)
+                  .copies_provoking_vertex);
+  EXPECT_FALSE(
+      traits_of("#version 330\nstruct S { vec4 f; mat2 m; }; out S s; out vec4 f;" + end).copies_provoking_vertex);
+}
+
 TEST(DeriveInspect, ExtensionMacrosAreThoseOfTheContext) {
   const std::string source =
       "#version 130\n#if defined(GL_ARB_shader_draw_parameters)\nvoid main() { gl_Position = vec4(gl_VertexID); "

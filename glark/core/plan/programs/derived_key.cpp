@@ -2,13 +2,28 @@
 // SPDX-License-Identifier: MIT
 #include "glark/core/plan/programs/derived_key.h"
 
+#include <algorithm>
+
+#include "glark/core/capture/layout.h"
 #include "glark/core/plan/polygons/quad_capture.h"
 #include "glark/core/shape.h"
 #include "glark/core/weld/weld.h"
 
 namespace glark::core {
 
-DerivedKey derived_key(const KeyState& state, const KeyRequest& request) {
+namespace {
+
+// Whether a refined vertex shows which corner is the provoking vertex.
+bool has_provoking_corner(const Program& program, const DerivedKey& key) {
+  return key.flat_colors || program.traits.copies_provoking_vertex ||
+         std::any_of(program.fields.begin(), program.fields.end(), [](const capture::Field& field) {
+           return capture::is_integer(field.type) && !capture::is_constant_in_draw(field);
+         });
+}
+
+}  // namespace
+
+DerivedKey derived_key(const KeyState& state, const Program& program, const KeyRequest& request) {
   const Bindings& b = state.bindings;
   const bool transparent = state.options.transparent;
   const bool compatibility = state.capabilities.is_compatibility();
@@ -16,8 +31,10 @@ DerivedKey derived_key(const KeyState& state, const KeyRequest& request) {
       b.provoking_vertex == GL_FIRST_VERTEX_CONVENTION && !captures_last_vertex(b, state.capabilities, request.mode);
   DerivedKey key;
   key.refinement = request.refinement;
-  key.provoking_corner = first ? 0 : 2;
   key.flat_colors = compatibility && b.shade_model == GL_FLAT;
+  if (first && has_provoking_corner(program, key)) {
+    key.provoking_corner = 0;
+  }
   key.clamp_colors = compatibility && b.clamp_vertex_color;
   key.tagged = request.tagged;
   key.welded = transparent ? state.options.weld : state.ark.weld;

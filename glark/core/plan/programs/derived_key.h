@@ -25,7 +25,7 @@ struct KeyRequest {
   bool placed = false;    // pieces have a placement
   bool morphing = false;  // vertices move between levels
 };
-DerivedKey derived_key(const KeyState& state, const KeyRequest& request);
+DerivedKey derived_key(const KeyState& state, const Program& program, const KeyRequest& request);
 // The angle beyond which shared normals do not curve an edge, in degrees. A program that calls the API gets what its
 // normals say.
 float crease_of(const ContextOptions& options);

@@ -118,6 +118,8 @@ std::string displace(const EpiloguePlan& plan, TypeSet& mixed_types);
 std::vector<OutputVariable> collect_outputs(const std::vector<VertexUnit>& units, std::size_t main_unit,
                                             const OutputRules& rules);
 bool is_flat(const OutputVariable& output, const std::vector<Structure>& structures);
+// Itself, or a member at any depth.
+bool has_integers(const OutputVariable& output, const std::vector<Structure>& structures);
 // "blocks[1].color" -> "blocks.color"
 std::string without_indices(std::string path);
 // Functions "@save<slot>_<unit>", "@finish_<unit>" and "@finish_screen_<unit>" of one unit, with the variables that

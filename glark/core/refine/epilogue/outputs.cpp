@@ -174,6 +174,14 @@ bool type_interpolates(const std::string& type, const std::vector<Structure>& st
                      [&](const Variable& member) { return type_interpolates(member.type, structures); });
 }
 
+bool type_has_integers(const std::string& type, const std::vector<Structure>& structures) {
+  if (const NumericType* const numeric = numeric_type(std::string_view(type))) return !numeric->interpolates();
+  const Structure* const structure = find_structure(structures, type);
+  return structure != nullptr &&
+         std::any_of(structure->members.begin(), structure->members.end(),
+                     [&](const Variable& member) { return type_has_integers(member.type, structures); });
+}
+
 // A statement over the same element of several variables.
 using Paths = std::vector<std::string>;
 
@@ -299,6 +307,10 @@ std::string without_indices(std::string path) {
 
 bool is_flat(const OutputVariable& output, const std::vector<Structure>& structures) {
   return output.flat || !type_interpolates(output.type, structures);
+}
+
+bool has_integers(const OutputVariable& output, const std::vector<Structure>& structures) {
+  return type_has_integers(output.type, structures);
 }
 
 bool unit_has_outputs(const EpiloguePlan& plan, std::size_t unit) {

@@ -16,9 +16,10 @@ struct VertexStageTraits {
   std::set<std::string> system_values;  // "gl_VertexID", "gl_InstanceID", "gl_BaseVertex", ...
   bool has_side_effects = false;        // image stores, buffer writes, atomics
   bool writes_flat_outputs = false;
-  StageVariation variation;            // of the outputs
-  bool fragments_make_facets = false;  // they compute the normal of their triangle
-  bool writes_integers = false;        // in outputs that are not flat; a geometry shader reads those of every vertex
+  bool copies_provoking_vertex = false;  // to flat outputs, or to integers within a structure
+  StageVariation variation;              // of the outputs
+  bool fragments_make_facets = false;    // they compute the normal of their triangle
+  bool writes_integers = false;          // in outputs that are not flat; a geometry shader reads those of every vertex
 
   // It runs on the corners of the coarse triangles, whatever refinement is wanted.
   bool corners_only() const { return reads_vertex_id || writes_cull_distance; }

@@ -12,23 +12,39 @@ namespace {
 class DerivedKeys : public testing::Test {
  protected:
   DerivedKey key(const KeyRequest& request = {}) const {
-    return derived_key({options, ark, bindings, capabilities}, request);
+    return derived_key({options, ark, bindings, capabilities}, program, request);
   }
 
   ContextOptions options;
   ArkState ark;
   Bindings bindings;
   Capabilities capabilities;
+  Program program;
 };
 
 TEST_F(DerivedKeys, TheProvokingCornerFollowsTheConvention) {
+  program.traits.copies_provoking_vertex = true;
   bindings.provoking_vertex = GL_LAST_VERTEX_CONVENTION;
   EXPECT_EQ(key().provoking_corner, 2);
   bindings.provoking_vertex = GL_FIRST_VERTEX_CONVENTION;
   EXPECT_EQ(key().provoking_corner, 0);
 }
 
+// So that quads and triangles of one transform feedback have one derived program.
+TEST_F(DerivedKeys, TheConventionCountsOnlyWhereItShows) {
+  bindings.provoking_vertex = GL_FIRST_VERTEX_CONVENTION;
+  EXPECT_EQ(key().provoking_corner, 2);
+  bindings.shade_model = GL_FLAT;
+  EXPECT_EQ(key().provoking_corner, 0);
+  bindings.shade_model = GL_SMOOTH;
+  program.fields = {{.name = "gl_InstanceID", .type = GL_INT}, {.name = "position", .type = GL_FLOAT_VEC4}};
+  EXPECT_EQ(key().provoking_corner, 2);
+  program.fields.push_back({.name = "index", .type = GL_INT_VEC2});
+  EXPECT_EQ(key().provoking_corner, 0);
+}
+
 TEST_F(DerivedKeys, QuadsMayKeepTheirLastVertex) {
+  program.traits.copies_provoking_vertex = true;
   bindings.provoking_vertex = GL_FIRST_VERTEX_CONVENTION;
   capabilities.quads_follow_convention = false;
   EXPECT_EQ(key({.mode = GL_QUAD_STRIP}).provoking_corner, 2);
