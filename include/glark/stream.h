@@ -88,7 +88,6 @@ struct TransferReport {
   bool is_deformed = false;           // some sample has moved
   std::vector<std::string> channels;  // those that were written
   // Points whose nearest sample is about as far from them as the others: many, if `from` is a sampling of another scan.
-  // A resumed transfer does not count points that were done before.
   std::uint64_t points_away = 0;
   std::uint64_t cells_on_disk = 0;  // of a sampling that did not fit into the memory; otherwise 0
 };

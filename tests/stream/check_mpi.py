@@ -268,8 +268,9 @@ class Ranks(unittest.TestCase):
         output.write_text("old")
         self.assertNotEqual(0, self.kill_a_rank(with_ranks(3, *arguments, "-o", output)))
         self.assertEqual("old", output.read_text())
-        self.all(2, *arguments, "-o", output)
-        self.assertEqual(scan.stat().st_size, output.stat().st_size)
+        self.all(3, *arguments, "-o", output, "--resume")
+        self.one(*arguments, "-o", self.path / "wanted.raw")
+        self.assertTrue(output.read_bytes() == (self.path / "wanted.raw").read_bytes())
         small = self.path / "small.ply"
         small.write_text("old")
         self.assertNotEqual(0, self.kill_a_rank(with_ranks(3, "sample", scan, "-o", small, "--target", TARGET)))

@@ -41,6 +41,7 @@ void add_transfer(CLI::App& app, MpiRanks& ranks) {
       ->add_option("--temporary", edit->temporary,
                    "A folder for the temporary files of each rank, best on a disk of its machine; default: that of OUT")
       ->type_name("FOLDER");
+  command->add_flag("--resume", edit->options.resume, resume_help);
   command->callback([edit, &ranks] { transfer(ranks, *edit); });
 }
 

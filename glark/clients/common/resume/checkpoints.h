@@ -14,8 +14,8 @@ class Checkpoints {
  public:
   static constexpr std::uint64_t least_step = 1 << 20;  // points
 
-  Checkpoints(WorkFolder& folder, std::uint64_t points)
-      : folder_(folder), step_(std::max(least_step, points / 20)), next_(step_) {}
+  Checkpoints(WorkFolder& folder, std::uint64_t points, std::uint64_t least = least_step)
+      : folder_(folder), step_(std::max(least, points / 20)), next_(step_) {}
 
   WorkFolder& folder() { return folder_; }
   // done: the points of this pass, at its beginning.

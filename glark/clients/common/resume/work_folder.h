@@ -38,6 +38,8 @@ class WorkFolder {
   std::filesystem::path inner(const std::string& name) const;
   // Replaces a state, atomically. Fails if it cannot, for a full disk too.
   void save(const char* name, const std::function<void(StateWriter&)>& write);
+  // Other processes have saved states here: they stay, as those of this one.
+  void keep() { has_saved_ = true; }
   // Calls read(state) if there is a state. Returns whether `read` has found all it needs.
   bool load(const char* name, const std::function<bool(StateReader&)>& read) const;
   // Fails with the message for a file of this folder that cannot be written. error: an errno.

@@ -18,6 +18,7 @@ class Output {
     folder.require_same_disk(file);
     const bool is_begun = folder.load("done", [&](common::StateReader& state) { return state.get(state_); });
     if (!is_begun) state_ = {};
+    away_before_ = state_.points_away;
     const std::uint64_t kept = is_begun ? layout.header().size() + state_.done * layout.layout().record_size : 0;
     writing([&] {
       file_ = folder.is_used() ? std::make_unique<geometry::OutputFile>(file, folder.path("output"), kept)
@@ -28,6 +29,9 @@ class Output {
   }
 
   std::uint64_t done() const { return state_.done; }
+  // Of all records that are done, in earlier runs as well.
+  std::uint64_t points_away() const { return state_.points_away; }
+  void count_points_away(std::uint64_t in_this_run) { state_.points_away = away_before_ + in_this_run; }
   void add(const EditedScan::Edited& edited) {
     state_.box.add(layout_, edited.records, edited.count);
     writing([&] { file_->write({edited.records.data(), edited.records.size()}); });
@@ -55,6 +59,7 @@ class Output {
  private:
   struct State {
     std::uint64_t done = 0;  // records
+    std::uint64_t points_away = 0;
     EditedBox box;
   };
 
@@ -62,6 +67,7 @@ class Output {
   const OutputLayout& layout_;
   std::unique_ptr<geometry::OutputFile> file_;
   State state_;
+  std::uint64_t away_before_ = 0;
 };
 
 }  // namespace
@@ -76,12 +82,15 @@ TransferReport transfer(const std::filesystem::path& large, const std::filesyste
   checkpoints.begin(written.done());
   while (written.done() < scan.records()) {
     written.add(scan.edit(written.done(), scan.records()));
+    written.count_points_away(scan.report().points_away);
     if (checkpoints.is_due(written.done())) written.save();
     if (options.progress) options.progress(static_cast<double>(written.done()) / static_cast<double>(scan.records()));
   }
   scan.require_unchanged();
   written.finish(scan.file(), scan.rest(), scan.output());
-  return scan.report();
+  TransferReport report = scan.report();
+  report.points_away = written.points_away();
+  return report;
 }
 
 }  // namespace glark::stream
