@@ -131,7 +131,11 @@ std::vector<CompiledState> raster_states() {
          const GLfloat all[] = {5, 10, 70, 60};
          gl.ViewportArrayv(0, 1, all);
        }},
-      {"scissor", [] { gl.Scissor(30, 30, 10, 10); }, [] { gl.Enable(GL_SCISSOR_TEST); }},
+      {"scissor", [] { gl.Scissor(30, 30, 10, 10); },
+       [] {
+         gl.Scissor(0, 0, 256, 256);  // a context without a window begins with an empty one
+         gl.Enable(GL_SCISSOR_TEST);
+       }},
       {"depth_func", [] { gl.DepthFunc(GL_NEVER); }, in_depth},
       {"depth_mask", [] { gl.DepthMask(GL_FALSE); }, in_depth, false},
       {"depth_range", [] { gl.DepthRange(1, 1); }, in_depth},
