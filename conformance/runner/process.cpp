@@ -14,6 +14,7 @@
 #include <cstring>
 #include <ctime>
 #include <stdexcept>
+#include <string_view>
 
 extern char** environ;
 
@@ -29,12 +30,19 @@ std::array<int, 2> make_pipe() {
   return ends;
 }
 
+// The workers share the cores already, so Mesa's llvmpipe need not draw small pictures with threads of its own: that takes
+// twice the time. Other drivers do not read it.
+constexpr std::string_view driver_threads = "LP_NUM_THREADS=";
+
+// What the user has set stays.
 std::vector<std::string> environment_with(const std::string& preload) {
-  std::vector<std::string> environment;
+  std::vector<std::string> environment = {std::string(driver_threads) + "0"};
   std::string others;
   for (char** entry = environ; *entry != nullptr; ++entry) {
     if (!preload.empty() && std::strncmp(*entry, "LD_PRELOAD=", 11) == 0) {
       others = *entry + 11;
+    } else if (std::string_view(*entry).starts_with(driver_threads)) {
+      environment.front() = *entry;
     } else {
       environment.emplace_back(*entry);
     }
