@@ -34,10 +34,12 @@ void expect_picture(Test& t, const Picture& actual, const Picture& expected, con
             "the picture is that of the unrefined draw");
 }
 
-void check_combination(Test& t, const Change& change, const Combination& one, bool is_refined) {
+void check_combination(Test& t, const Change& change, const Combination& one, bool is_refined,
+                       ScenePrograms& programs) {
   const Path& path = paths()[one.path];
   const std::string what = fmt::format("{}, refined {} times before", text_of(one), one.history);
-  Scene scene(t, one.triangles, path.draws_instances || change.concern == Concern::integers);
+  Scene scene(t, one.triangles, path.draws_instances || change.concern == Concern::integers,
+              change.changes_program ? nullptr : &programs);
   if (path.prepare != nullptr) path.prepare(t, scene);
   const auto draw = [&] { path.draw(scene); };
   const Picture before = picture_of(draw);
@@ -62,9 +64,10 @@ void check_combination(Test& t, const Change& change, const Combination& one, bo
 void check_change(Test& t, const Change& change, std::size_t number, bool is_refined) {
   if (!t.is_gles() && t.version() < change.version)
     t.not_supported(fmt::format("OpenGL {}.{} is needed", change.version / 10, change.version % 10));
+  ScenePrograms programs;
   for (const Combination& one : combinations_of(number, paths().size())) {
     const Path& path = paths()[one.path];
-    if (path.apis.contains(t.api()) && concerns(change, path)) check_combination(t, change, one, is_refined);
+    if (path.apis.contains(t.api()) && concerns(change, path)) check_combination(t, change, one, is_refined, programs);
   }
 }
 
@@ -72,8 +75,8 @@ constexpr GLuint changing_list = 71;
 constexpr GLuint calling_list = 72;
 
 // The errors of a change that is compiled, and of the call: lists take some commands in no implementation.
-GLenum error_of_compiled(Test& t, const Change& change, const Combination& one) {
-  Scene scene(t, one.triangles, false);
+GLenum error_of_compiled(Test& t, const Change& change, const Combination& one, ScenePrograms& programs) {
+  Scene scene(t, one.triangles, false, change.changes_program ? nullptr : &programs);
   gl.NewList(changing_list, GL_COMPILE);
   change.make(t, scene);
   gl.EndList();
@@ -86,16 +89,17 @@ GLenum error_of_compiled(Test& t, const Change& change, const Combination& one) 
 
 // The change is compiled into a list, which another list calls. Commands that lists do not compile are executed at once, so
 // that the unrefined draw says what is right.
-void check_compiled(Test& t, const Change& change, const Combination& one) {
+void check_compiled(Test& t, const Change& change, const Combination& one, ScenePrograms& programs) {
   gl.Disable(GL_ARK);
-  if (error_of_compiled(t, change, one) != GL_NO_ERROR) {
+  if (error_of_compiled(t, change, one, programs) != GL_NO_ERROR) {
     t.log("lists do not take the commands of this change");
     t.expect_no_error("the list");
     return;
   }
   const Path& path = paths()[one.path];
   const std::string what = fmt::format("{}, refined {} times before", text_of(one), one.history);
-  Scene scene(t, one.triangles, path.draws_instances || change.concern == Concern::integers);
+  Scene scene(t, one.triangles, path.draws_instances || change.concern == Concern::integers,
+              change.changes_program ? nullptr : &programs);
   if (path.prepare != nullptr) path.prepare(t, scene);
   const auto draw = [&] { path.draw(scene); };
   const auto expect_as_plain = [&](const std::string& when) {
@@ -135,8 +139,9 @@ void check_compiled_change(Test& t, const Change& change, std::size_t number) {
   if (t.version() < change.version)
     t.not_supported(fmt::format("OpenGL {}.{} is needed", change.version / 10, change.version % 10));
   const std::vector<Combination> all = combinations_of(number, paths().size());
+  ScenePrograms programs;
   for (std::size_t i = number % 4; i < all.size(); i += 4)
-    if (paths()[all[i].path].apis.contains(t.api())) check_compiled(t, change, all[i]);
+    if (paths()[all[i].path].apis.contains(t.api())) check_compiled(t, change, all[i], programs);
 }
 
 // "BindVertexArray" as the part of a case's name: "bind_vertex_array".

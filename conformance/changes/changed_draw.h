@@ -25,7 +25,8 @@ struct Change {
   Concern concern;
   void (*make)(Test& t, Scene& scene);
   Apis apis = every_api;
-  int version = 0;  // the version of desktop GL that has the commands, if it is more than 4.3
+  int version = 0;               // the version of desktop GL that has the commands, if it is more than 4.3
+  bool changes_program = false;  // its uniforms, or the program itself
 };
 
 // One table of several.

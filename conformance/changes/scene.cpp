@@ -65,6 +65,11 @@ std::vector<Place> places_of(int triangles) {
   return places;
 }
 
+GLuint scene_program(Test& t, bool reads_all) {
+  const std::string head = t.is_gles() ? "precision highp sampler2D; precision highp samplerBuffer;\n" : "";
+  return build_program(t, {.vertex = head + (reads_all ? all_inputs : few_inputs) + stage});
+}
+
 }  // namespace
 
 GLuint make_buffer(GLenum target, const void* data, std::size_t bytes) {
@@ -75,9 +80,19 @@ GLuint make_buffer(GLenum target, const void* data, std::size_t bytes) {
   return buffer;
 }
 
-Scene::Scene(Test& t, int triangles, bool reads_all) : vertex_count_(3 * triangles), is_desktop_(!t.is_gles()) {
-  const std::string head = t.is_gles() ? "precision highp sampler2D; precision highp samplerBuffer;\n" : "";
-  program = build_program(t, {.vertex = head + (reads_all ? all_inputs : few_inputs) + stage});
+ScenePrograms::~ScenePrograms() {
+  for (const GLuint program : made_) gl.DeleteProgram(program);
+}
+
+GLuint ScenePrograms::find(Test& t, bool reads_all) {
+  GLuint& program = made_[reads_all ? 1 : 0];
+  if (program == 0) program = scene_program(t, reads_all);
+  return program;
+}
+
+Scene::Scene(Test& t, int triangles, bool reads_all, ScenePrograms* shared)
+    : vertex_count_(3 * triangles), is_desktop_(!t.is_gles()), is_shared_(shared != nullptr) {
+  program = is_shared_ ? shared->find(t, reads_all) : scene_program(t, reads_all);
   gl.UseProgram(program);
   gl.Uniform4f(0, 1, 0.9F, 1, 1);
   gl.VertexAttrib4f(at_extra, 0.1F, 0.05F, 0, 0);
@@ -184,7 +199,7 @@ Scene::~Scene() {
   gl.DeleteTextures(1, &texel_image);
   if (feedback != 0) gl.DeleteTransformFeedbacks(1, &feedback);
   gl.UseProgram(0);
-  gl.DeleteProgram(program);
+  if (!is_shared_) gl.DeleteProgram(program);
 }
 
 }  // namespace glark::conformance

@@ -5,6 +5,7 @@
 // then another one, so that a change has something to change to.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -20,10 +21,25 @@ inline constexpr GLuint block_binding = 2;
 inline constexpr GLuint image_unit = 1;
 inline constexpr GLuint texel_unit = 2;
 
+// The programs of several scenes of one case, so that they are compiled once.
+class ScenePrograms {
+ public:
+  ScenePrograms() = default;
+  ~ScenePrograms();
+  ScenePrograms(const ScenePrograms&) = delete;
+  ScenePrograms& operator=(const ScenePrograms&) = delete;
+
+  GLuint find(Test& t, bool reads_all);
+
+ private:
+  std::array<GLuint, 2> made_{};  // by reads_all
+};
+
 // The picture shows each of them: colour = (colours + current + steps / 8) * tint * block * image * texel.
 struct Scene {
   // `reads_all`: the program also reads integers and gl_InstanceID. An implementation may keep less of such a draw.
-  Scene(Test& t, int triangles, bool reads_all);
+  // shared: nullptr for a program of its own, which may change.
+  Scene(Test& t, int triangles, bool reads_all, ScenePrograms* shared = nullptr);
   ~Scene();
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
@@ -63,6 +79,7 @@ struct Scene {
 
   GLsizei vertex_count_;
   bool is_desktop_;
+  bool is_shared_;  // the program
   std::vector<std::uint32_t> first_colours_;
   std::vector<std::uint32_t> second_colours_;
   std::vector<std::uint16_t> second_indices_;

@@ -135,11 +135,16 @@ std::vector<Change> blocks() {
   };
 }
 
+std::vector<Change> of_programs(std::vector<Change> changes) {
+  for (Change& change : changes) change.changes_program = true;
+  return changes;
+}
+
 }  // namespace
 
 Cases uniforms_cases() {
-  static const std::vector<Change> of_uniforms = uniforms();
-  static const std::vector<Change> of_blocks = blocks();
+  static const std::vector<Change> of_uniforms = of_programs(uniforms());
+  static const std::vector<Change> of_blocks = of_programs(blocks());
   Cases cases = change_cases("uniform", of_uniforms, 180);
   for (Case& each : change_cases("block", of_blocks, 195)) cases.push_back(std::move(each));
   return cases;
