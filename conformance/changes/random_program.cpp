@@ -68,9 +68,22 @@ bool is_array_readable(GLuint index, GLsizei vertices) {
   return is_readable(buffer, begin + static_cast<long long>(stride) * (vertices - 1) + 4);
 }
 
+bool is_block_readable(GLuint program) {
+  const GLuint block = gl.GetUniformBlockIndex(program, "Block");
+  if (block == GL_INVALID_INDEX) return true;
+  GLint point = 0;
+  GLint buffer = 0;
+  GLint64 first = 0;
+  gl.GetActiveUniformBlockiv(program, block, GL_UNIFORM_BLOCK_BINDING, &point);
+  gl.GetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, static_cast<GLuint>(point), &buffer);
+  gl.GetInteger64i_v(GL_UNIFORM_BUFFER_START, static_cast<GLuint>(point), &first);
+  return is_readable(buffer, first + 16);
+}
+
 // Returns whether all reads of a draw are defined. A sequence of changes may leave arrays that are longer than their
-// buffers, or buffers that are mapped.
+// buffers, a range behind the end of its buffer, or buffers that are mapped.
 bool is_defined(const Scene& scene) {
+  if (!is_block_readable(scene.program)) return false;
   for (GLuint index = 0; index < 16; ++index)
     if (!is_array_readable(index, scene.vertices())) return false;
   GLint indices = 0;
