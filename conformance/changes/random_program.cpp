@@ -80,8 +80,8 @@ bool is_block_readable(GLuint program) {
   return is_readable(buffer, first + 16);
 }
 
-// Returns whether all reads of a draw are defined. A sequence of changes may leave arrays that are longer than their
-// buffers, a range behind the end of its buffer, or buffers that are mapped.
+// Returns whether all reads of a draw are defined. After some sequences of changes, an array is longer than its buffer, a
+// uniform block lies behind the end of its buffer, or a buffer is mapped.
 bool is_defined(const Scene& scene) {
   if (!is_block_readable(scene.program)) return false;
   for (GLuint index = 0; index < 16; ++index)

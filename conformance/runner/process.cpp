@@ -30,8 +30,8 @@ std::array<int, 2> make_pipe() {
   return ends;
 }
 
-// The workers share the cores already, so Mesa's llvmpipe need not draw small pictures with threads of its own: that takes
-// twice the time. Other drivers do not read it.
+// How many threads Mesa's llvmpipe draws with. 0 is faster here: the pictures are small, and the workers share the cores
+// already. Other drivers ignore this variable.
 constexpr std::string_view driver_threads = "LP_NUM_THREADS=";
 
 // What the user has set stays.

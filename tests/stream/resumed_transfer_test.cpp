@@ -97,12 +97,15 @@ TEST_F(ResumedTransfers, OtherStatesAreNotUsed) {
 }
 
 TEST_F(ResumedTransfers, AloneAllPointsAwayAreCounted) {
+  double first = -1;  // fraction that the progress tells
   const auto alone = [&](const char* output, bool resume, double end) {
     TransferOptions options;
     options.work = path(output) += ".partial";
     options.resume = resume;
     options.neighbours = 3;
+    first = -1;
     options.progress = [&](double fraction) {
+      if (first < 0) first = fraction;
       if (fraction > end) throw Error(Element::file, 0, "ended");
     };
     return transfer(path("large.ply"), path("small.ply"), path("edited.ply"), path(output), options);
@@ -110,6 +113,8 @@ TEST_F(ResumedTransfers, AloneAllPointsAwayAreCounted) {
   const TransferReport whole = alone("whole.ply", false, 2);
   EXPECT_NE(problem_of([&] { alone("out.ply", false, 0.7); }), "");
   const TransferReport resumed = alone("out.ply", true, 2);
+  EXPECT_GT(first, 0.4);
+  EXPECT_GT(whole.points_away, 1000U);
   EXPECT_EQ(whole.points_away, resumed.points_away);
   EXPECT_TRUE(bytes_of(path("out.ply")) == bytes_of(path("whole.ply")));
 }

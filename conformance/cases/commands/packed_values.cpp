@@ -187,8 +187,8 @@ void expect_packed_inherited(Test& t, const PackedCommand& command, GLenum type)
   }
 }
 
-// Whether GL draws a list right in which a value first changes before the second vertex. Mesa 25 does not. Before
-// ARKinit, the answer is GL's own.
+// Whether GL draws a list right in which a value first changes before the second vertex. Mesa 25 does not. Call it
+// before ARKinit, so that GL answers, not the implementation.
 bool draws_late_values(const PackedCommand& command) {
   compile_packed([&] {
     command.set(packed_types[0], packed_turn(3));

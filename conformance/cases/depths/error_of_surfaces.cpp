@@ -115,7 +115,8 @@ int needed_depth(const Shaping& shaping, const Mesh& mesh, std::size_t edge, dou
   return depth;
 }
 
-// A triangle in the plane z = 0. So are its normals: in three directions if `is_bent`, otherwise all along +y.
+// A triangle in the plane z = 0. Its normals lie in that plane, too: in three directions if `is_bent`, otherwise all
+// along +y.
 Mesh shaped_triangle(bool is_bent) {
   Mesh mesh = one_triangle({6, 6, 6});
   const double degrees[] = {115, 65, 150};

@@ -120,9 +120,14 @@ void check_uncertain(Test& t, const CountedMode& mode, const VertexCommand& comm
           fmt::format("{}, {}, before vertex {}", command.leaf, is_enabled ? "enabled" : "disabled", 2 * position);
       GLuint refined_count = 0;
       gl.Disable(GL_ARK);
+      command.set(gives_vertex);
+      const GLuint direct_count = count_generated(plain);
+      command.set(is_enabled);
       GLuint plain_count = 0;
       const Picture expected = picture_of([&] { plain_count = count_generated(draw); });
       gl.Enable(GL_ARK);
+      // Mesa 25 draws twice what a list begins with a vertex before its first colour.
+      if (mode.mode != GL_TRIANGLE_STRIP && plain_count != direct_count) continue;
       // Mesa 22 loses a triangle of a strip in a list whose colour is first set after its first vertex.
       const GLuint triangles = mode.mode == GL_TRIANGLE_STRIP ? plain_count : mode.triangles(gives_vertex ? 9 : 8);
       for (int again = 0; again < 2; ++again) {

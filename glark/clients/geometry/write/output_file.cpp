@@ -41,8 +41,8 @@ fs::path name_aside(const fs::path& file, const std::string& end) {
   return file.parent_path() / ("." + file.filename().string().substr(0, NAME_MAX - 1 - end.size()) + end);
 }
 
-// Removes the temporary file of a process that was killed: nobody holds its lock. Who removes a name holds the lock of
-// the file that has it, so that the file of a process that runs keeps its name.
+// Removes the temporary file that a killed process has left. A process that still runs holds a lock on its file, so the
+// file is removed only if this process gets the lock.
 void remove_abandoned(const fs::path& name) {
   const int descriptor = open(name.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
   if (descriptor < 0) return;
@@ -58,8 +58,8 @@ void remove_abandoned(const fs::path& name) {
 // Tells remove_abandoned() that a process has the file. Some file systems have no locks; nothing is removed there.
 void hold(int descriptor) { [[maybe_unused]] const int ignored = flock(descriptor, LOCK_EX | LOCK_NB); }
 
-// Calls make(name) with a name for the temporary file of `file` that nobody has. Returns the name, or nothing if `make`
-// returns false for another reason than EEXIST; errno has it.
+// Makes a temporary file beside `file`: make(name) returns whether it could. Other names are tried while the name is
+// taken (EEXIST). Returns the name, or an empty one with the error in errno.
 template <class Make>
 fs::path make_aside(const fs::path& file, const Make& make) {
   const fs::path usual = name_aside(file, ".glark-new");

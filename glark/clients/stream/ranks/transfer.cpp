@@ -66,7 +66,7 @@ class SharedOutput {
   }
   void write(std::uint64_t record, std::span<const char> records) { file_->write(place_of(record), records); }
 
-  // Copies a part of what follows the records. Adds its size to done().
+  // Copies a part of what follows the records. done() counts the bytes.
   void copy_rest(const RankRange& range) {
     common::Checkpoints checkpoints(*folder_, range.end - range.begin, least_rest_to_save);
     checkpoints.begin(done_.rest);
@@ -156,7 +156,7 @@ TransferReport transfer(Ranks& ranks, const TransferFiles& files, const Transfer
       done.box.add(scan->output(), edited.records, edited.count);
       output.write(record, edited.records);
       done.records += edited.count;
-      done.points_away = away_before + scan->report().points_away;
+      done.points_away = away_before + scan->points_away();
       if (checkpoints.is_due(done.records)) output.save();
       if (options.progress)
         options.progress(static_cast<double>(done.records) / static_cast<double>(range.end - range.begin));

@@ -47,6 +47,8 @@ class EditedScan {
   // All that the edited records depend on, as text.
   std::string identity() const;
   TransferReport report() const;
+  // Of the records that were edited so far; report() has it, too.
+  std::uint64_t points_away() const { return editor_.points_away(); }
 
   // Reads some records, from `first` to `end` at most, and edits them. A record does not depend on the others that are
   // edited with it. The result is valid until the next call. Throws Error for a scan that ends early, or coordinates

@@ -29,7 +29,7 @@ class Output {
   }
 
   std::uint64_t done() const { return state_.done; }
-  // Of all records that are done, in earlier runs as well.
+  // Among all records that are done, in this run and before it.
   std::uint64_t points_away() const { return state_.points_away; }
   void count_points_away(std::uint64_t in_this_run) { state_.points_away = away_before_ + in_this_run; }
   void add(const EditedScan::Edited& edited) {
@@ -82,7 +82,7 @@ TransferReport transfer(const std::filesystem::path& large, const std::filesyste
   checkpoints.begin(written.done());
   while (written.done() < scan.records()) {
     written.add(scan.edit(written.done(), scan.records()));
-    written.count_points_away(scan.report().points_away);
+    written.count_points_away(scan.points_away());
     if (checkpoints.is_due(written.done())) written.save();
     if (options.progress) options.progress(static_cast<double>(written.done()) / static_cast<double>(scan.records()));
   }
